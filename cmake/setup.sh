@@ -1,0 +1,52 @@
+# Sourced by apps/run.sh and tests/run.sh: ringlet_setup installs what is missing and configures
+# build/release, both only where needed.
+
+ringlet_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+ringlet_build="$ringlet_root/build/release"
+ringlet_packages=(g++ cmake ninja-build libeigen3-dev libtbb-dev libspdlog-dev nlohmann-json3-dev
+                  catch2 libfcl-dev)
+
+ringlet_missing_packages() {
+  local package
+  for package in "${ringlet_packages[@]}"; do
+    if ! dpkg -s "$package" 2>/dev/null | grep -q '^Status: install ok installed'; then
+      echo "$package"
+    fi
+  done
+}
+
+ringlet_install() {
+  if ! command -v apt-get >/dev/null || ! command -v dpkg >/dev/null; then
+    echo "This system has no apt. What must be installed: a C++20 compiler (g++ 12 or newer)," \
+         "CMake 3.25, Ninja, Eigen 3.4, oneTBB, spdlog, nlohmann_json 3.11, FCL 0.7 and Catch2." \
+         "Going on with what CMake finds." >&2
+    return
+  fi
+  local missing
+  mapfile -t missing < <(ringlet_missing_packages)
+  if [ "${#missing[@]}" -eq 0 ]; then return; fi
+  local sudo=()
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      echo "Run this as root, or install these packages first: ${missing[*]}" >&2
+      exit 2
+    fi
+    sudo=(sudo)
+  fi
+  echo "Installing ${missing[*]}" >&2
+  "${sudo[@]}" apt-get update -q
+  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+}
+
+ringlet_configure() {
+  if [ -f "$ringlet_build/build.ninja" ]; then return; fi
+  (cd "$ringlet_root" && cmake --preset release) || {
+    echo "CMake could not configure ringlet; its message above says what it did not find." >&2
+    exit 2
+  }
+}
+
+ringlet_setup() {
+  ringlet_install
+  ringlet_configure
+}

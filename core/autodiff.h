@@ -1,0 +1,92 @@
+#pragma once
+
+#include <Eigen/Eigenvalues>
+#include <cstring>
+
+#include "core/dual.h"
+#include "core/element.h"
+
+namespace ringlet {
+
+inline double lane_value(double value, int) { return value; }
+inline double lane_value(const Pack& values, int lane) { return values[lane]; }
+inline void set_lane_value(double& target, int, double value) { target = value; }
+inline void set_lane_value(Pack& target, int lane, double value) { target[lane] = value; }
+
+/// Replaces the negative eigenvalues of the Hessian by zero, lane by lane, with a numeric
+/// eigensolver.
+template <class S, int K>
+void clamp_eigenvalues(Derivatives<S, K>& derivatives) {
+  using Dense = Eigen::Matrix<double, 3 * K, 3 * K>;
+  const auto entry = [&](int row, int column) -> S& {
+    return derivatives.block(row / 3, column / 3)(row % 3, column % 3);
+  };
+  constexpr int lanes = std::is_same_v<S, double> ? 1 : lane_count;
+  for (int lane = 0; lane < lanes; ++lane) {
+    Dense hessian;
+    for (int row = 0; row < 3 * K; ++row) {
+      for (int column = 0; column <= row; ++column) {
+        hessian(row, column) = lane_value(entry(row, column), lane);
+      }
+    }
+    const Eigen::SelfAdjointEigenSolver<Dense> solver(hessian);
+    const Dense clamped = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).asDiagonal() *
+                          solver.eigenvectors().transpose();
+    for (int row = 0; row < 3 * K; ++row) {
+      for (int column = 0; column < 3 * (row / 3 + 1); ++column) {
+        set_lane_value(entry(row, column), lane, clamped(row, column));
+      }
+    }
+  }
+}
+
+/// The derivatives of a kernel that gives only its value: the kernel is evaluated once with dual
+/// numbers over S. Filter::exact gives the Hessian as it is; any other clamps its eigenvalues
+/// numerically, which costs far more than a closed form.
+template <class Kernel, class S>
+[[gnu::noinline]] S evaluate_by_autodiff(const Kernel& kernel,
+                                         const Stencil<S, Kernel::vertices>& x,
+                                         const typename Kernel::template Rest<S>& rest,
+                                         Filter filter,
+                                         Derivatives<S, Kernel::vertices>& derivatives) {
+  constexpr int K = Kernel::vertices;
+  using Number = Dual<S, 3 * K>;
+  using Rest = typename Kernel::template Rest<S>;
+  using DualRest = typename Kernel::template Rest<Number>;
+  constexpr int rest_size = sizeof(Rest) / sizeof(S);
+  static_assert(sizeof(DualRest) == rest_size * sizeof(Number), "Rest<S> must hold only scalars S");
+
+  Stencil<Number, K> variables;
+  for (int n = 0; n < K; ++n) {
+    variables[n] = {Number::variable(x[n].x, 3 * n), Number::variable(x[n].y, 3 * n + 1),
+                    Number::variable(x[n].z, 3 * n + 2)};
+  }
+  std::array<S, rest_size> rest_scalars;
+  std::memcpy(&rest_scalars, &rest, sizeof(Rest));
+  const std::array<Number, rest_size> rest_numbers = [&] {
+    std::array<Number, rest_size> numbers;
+    for (int i = 0; i < rest_size; ++i) numbers[i] = Number(rest_scalars[i]);
+    return numbers;
+  }();
+  DualRest dual_rest;
+  std::memcpy(static_cast<void*>(&dual_rest), &rest_numbers, sizeof(DualRest));
+
+  const Number energy = kernel.value(variables, dual_rest);
+  const auto hessian = [&](int row, int column) {
+    return row >= column ? energy.hessian[row * (row + 1) / 2 + column]
+                         : energy.hessian[column * (column + 1) / 2 + row];
+  };
+  for (int row = 0; row < K; ++row) {
+    const S* gradient = &energy.gradient[3 * row];
+    derivatives.gradient[row] = {gradient[0], gradient[1], gradient[2]};
+    for (int column = 0; column <= row; ++column) {
+      for (int m = 0; m < 9; ++m) {
+        derivatives.block(row, column).m[m] = hessian(3 * row + m / 3, 3 * column + m % 3);
+      }
+    }
+  }
+  if (filter != Filter::exact) clamp_eigenvalues(derivatives);
+  return energy.value;
+}
+
+}  // namespace ringlet

@@ -1,0 +1,244 @@
+#pragma once
+
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/autodiff.h"
+#include "core/element.h"
+#include "core/energy.h"
+#include "core/registry.h"
+
+namespace ringlet {
+
+template <>
+struct EnumNames<Filter> {
+  static constexpr std::pair<Filter, const char*> names[] = {{Filter::tight, "tight"},
+                                                             {Filter::exact, "exact"}};
+};
+
+/// How the elements of a batch are computed: strands side by side in lanes, or one after the other
+/// with plain doubles (slow; the oracle of the lanes).
+enum class Evaluation { lanes, scalar };
+
+template <>
+struct EnumNames<Evaluation> {
+  static constexpr std::pair<Evaluation, const char*> names[] = {{Evaluation::lanes, "lanes"},
+                                                                 {Evaluation::scalar, "scalar"}};
+};
+
+/// Parameters that every energy made from a kernel has.
+struct BatchOptions {
+  Filter filter = Filter::tight;
+  Evaluation evaluation = Evaluation::lanes;
+
+  static Schema<BatchOptions> schema() {
+    return Schema<BatchOptions>()
+        .key("filter", &BatchOptions::filter, "", any_number(),
+             "how the Hessian of an element is made positive semi-definite")
+        .key("evaluation", &BatchOptions::evaluation, "", any_number(),
+             "strands side by side in lanes, or one by one (slow, for comparison)");
+  }
+};
+
+/// Makes an Energy of a kernel: loops over the elements of a group, fills the lanes, and assembles
+/// gradient and bands. The author of an energy writes the kernel only.
+template <ElementKernel Kernel>
+class BatchEnergy final : public Energy {
+ public:
+  static constexpr int K = Kernel::vertices;
+
+  BatchEnergy(Kernel kernel, const BatchOptions& options)
+      : kernel_(std::move(kernel)), options_(options) {}
+
+  void bind(const Strands& strands, const StrandGroups& groups) override {
+    groups_ = &groups;
+    rest_.resize(groups.rows());
+    std::vector<Eigen::Vector3d> positions(strands.vertex_count());
+    for (int v = 0; v < strands.vertex_count(); ++v) positions[v] = strands.rest_position(v);
+    const VertexField field = positions_with_pads(groups, positions);
+    for (int g = 0; g < groups.count(); ++g) {
+      for (int i = 0; i + K <= groups[g].vertices; ++i) {
+        for (int lane = 0; lane < lane_count; ++lane) bind_element(strands, field, g, i, lane);
+      }
+    }
+  }
+
+  double add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const override {
+    return options_.evaluation == Evaluation::lanes ? add_in_lanes(group, x, outputs)
+                                                    : add_one_by_one(group, x, outputs);
+  }
+
+ private:
+  template <class S>
+  using Rest = typename Kernel::template Rest<S>;
+  static constexpr int rest_size = sizeof(Rest<double>) / sizeof(double);
+  static_assert(sizeof(Rest<Pack>) == rest_size * sizeof(Pack), "Rest<S> must hold only scalars S");
+
+  void bind_element(const Strands& strands, const VertexField& field, int g, int i, int lane) {
+    const StrandGroup& group = (*groups_)[g];
+    const int strand = group.strands[lane];
+    const bool is_element = strand >= 0 && i + K <= strands.size(strand);
+    ElementRest<K> element{{}, {}, {}, strands.material()};
+    element.radii.fill(1);
+    for (int n = 0; n < K; ++n) {
+      // What reaches into the pads has no stiffness, but its rest data must be benign all the same:
+      // it is bound to the helix that the pads form.
+      element.positions[n] =
+          is_element ? lane_of(field.group(g)[i + n], lane) : pad_position(i + n);
+      if (is_element) element.radii[n] = strands.radius(strands.first(strand) + i + n);
+      if (n > 0) element.lengths[n - 1] = norm(element.positions[n] - element.positions[n - 1]);
+    }
+    Rest<double> rest = kernel_.rest(element);
+    if (!is_element) rest.stiffness = 0;
+    set_lane(rest_[group.first_row + i], lane, rest);
+  }
+
+  static Vector3<double> lane_of(const Vector3<Pack>& p, int lane) {
+    return {p.x[lane], p.y[lane], p.z[lane]};
+  }
+
+  static void set_lane(Rest<Pack>& packs, int lane, const Rest<double>& rest) {
+    for (int n = 0; n < rest_size; ++n) {
+      std::memcpy(reinterpret_cast<char*>(&packs) + n * sizeof(Pack) + lane * sizeof(double),
+                  reinterpret_cast<const char*>(&rest) + n * sizeof(double), sizeof(double));
+    }
+  }
+  static Rest<double> get_lane(const Rest<Pack>& packs, int lane) {
+    Rest<double> rest;
+    for (int n = 0; n < rest_size; ++n) {
+      std::memcpy(reinterpret_cast<char*>(&rest) + n * sizeof(double),
+                  reinterpret_cast<const char*>(&packs) + n * sizeof(Pack) + lane * sizeof(double),
+                  sizeof(double));
+    }
+    return rest;
+  }
+
+  template <Filter filter, class S>
+  S evaluate(const Stencil<S, K>& x, const Rest<S>& rest, Derivatives<S, K>& derivatives) const {
+    if constexpr (ClosedFormKernel<Kernel>) {
+      return kernel_.evaluate(x, rest, filter, derivatives);
+    } else {
+      return evaluate_by_autodiff(kernel_, x, rest, filter, derivatives);
+    }
+  }
+
+  double add_in_lanes(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const {
+    const Rest<Pack>* rest = &rest_[(*groups_)[group].first_row];
+    const bool value_only = outputs.gradient.empty() && outputs.hessian.empty();
+    return sum_lanes(value_only ? add_values(rest, x)
+                     : options_.filter == Filter::exact
+                         ? add_derivatives<Filter::exact>(rest, x, outputs)
+                         : add_derivatives<Filter::tight>(rest, x, outputs));
+  }
+
+  // A kernel is made of small functions of wide vectors: a call left among them costs more than its
+  // work, hence flatten.
+  [[gnu::flatten]] Pack add_values(const Rest<Pack>* rest, std::span<const Vector3<Pack>> x) const {
+    Pack energy = 0;
+    for (int i = 0; i + K <= static_cast<int>(x.size()); ++i) {
+      energy += kernel_.value(window(x, i), rest[i]);
+    }
+    return energy;
+  }
+  template <Filter filter>
+  [[gnu::flatten]] Pack add_derivatives(const Rest<Pack>* rest, std::span<const Vector3<Pack>> x,
+                                        GroupOutputs outputs) const {
+    Pack energy = 0;
+    for (int i = 0; i + K <= static_cast<int>(x.size()); ++i) {
+      Derivatives<Pack, K> derivatives;
+      energy += evaluate<filter>(window(x, i), rest[i], derivatives);
+      scatter(derivatives, i, outputs);
+    }
+    return energy;
+  }
+
+  static Stencil<Pack, K> window(std::span<const Vector3<Pack>> x, int first) {
+    Stencil<Pack, K> stencil;
+    for (int n = 0; n < K; ++n) stencil[n] = x[first + n];
+    return stencil;
+  }
+
+  static void scatter(const Derivatives<Pack, K>& derivatives, int i, GroupOutputs& outputs) {
+    if (!outputs.gradient.empty()) {
+      for (int n = 0; n < K; ++n) outputs.gradient[i + n] += derivatives.gradient[n];
+    }
+    if (!outputs.hessian.empty()) {
+      for (int row = 0; row < K; ++row) {
+        for (int column = 0; column <= row; ++column) {
+          outputs.hessian.block(i + row, row - column) += derivatives.block(row, column);
+        }
+      }
+    }
+  }
+
+  double add_one_by_one(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const {
+    const Rest<Pack>* rest = &rest_[(*groups_)[group].first_row];
+    std::array<double, lane_count> energies{};
+    for (int i = 0; i + K <= static_cast<int>(x.size()); ++i) {
+      for (int lane = 0; lane < lane_count; ++lane) {
+        Stencil<double, K> stencil;
+        for (int n = 0; n < K; ++n) stencil[n] = lane_of(x[i + n], lane);
+        Derivatives<double, K> derivatives;
+        const Rest<double> lane_rest = get_lane(rest[i], lane);
+        energies[lane] += options_.filter == Filter::exact
+                              ? evaluate<Filter::exact>(stencil, lane_rest, derivatives)
+                              : evaluate<Filter::tight>(stencil, lane_rest, derivatives);
+        scatter_lane(derivatives, i, lane, outputs);
+      }
+    }
+    double energy = 0;
+    for (const double lane_energy : energies) energy += lane_energy;
+    return energy;
+  }
+
+  static void scatter_lane(const Derivatives<double, K>& derivatives, int i, int lane,
+                           GroupOutputs& outputs) {
+    const auto add_to = [lane](Pack& target, double value) { target[lane] = target[lane] + value; };
+    if (!outputs.gradient.empty()) {
+      for (int n = 0; n < K; ++n) {
+        add_to(outputs.gradient[i + n].x, derivatives.gradient[n].x);
+        add_to(outputs.gradient[i + n].y, derivatives.gradient[n].y);
+        add_to(outputs.gradient[i + n].z, derivatives.gradient[n].z);
+      }
+    }
+    if (!outputs.hessian.empty()) {
+      for (int row = 0; row < K; ++row) {
+        for (int column = 0; column <= row; ++column) {
+          Matrix3<Pack>& block = outputs.hessian.block(i + row, row - column);
+          for (int m = 0; m < 9; ++m) add_to(block.m[m], derivatives.block(row, column).m[m]);
+        }
+      }
+    }
+  }
+
+  Kernel kernel_;
+  BatchOptions options_;
+  const StrandGroups* groups_ = nullptr;
+  std::vector<Rest<Pack>> rest_;
+};
+
+/// The parameters of a kernel and those of its batch, one flat object in a scene.
+template <class Kernel>
+struct BatchParameters {
+  typename Kernel::Parameters kernel;
+  BatchOptions options;
+
+  static Schema<BatchParameters> schema() {
+    return Schema<BatchParameters>()
+        .include(&BatchParameters::kernel)
+        .include(&BatchParameters::options);
+  }
+};
+
+/// Registers the energy that a kernel defines.
+template <ElementKernel Kernel>
+void register_energy(Registry& registry, const std::string& name, Description description) {
+  registry.of<Energy>().add<BatchParameters<Kernel>>(
+      name, std::move(description), [](const BatchParameters<Kernel>& parameters) {
+        return std::make_unique<BatchEnergy<Kernel>>(Kernel{parameters.kernel}, parameters.options);
+      });
+}
+
+}  // namespace ringlet

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/coupling_blocks.h"
+#include "core/motion.h"
+#include "core/strands.h"
+#include "core/vertex_field.h"
+
+namespace ringlet {
+
+/// A vertex that follows a prescribed motion.
+struct Pin {
+  int vertex;
+  std::string motion;  ///< name; empty: it stays where it starts
+};
+
+/// What a collision stage says about its last evaluation.
+struct ContactReport {
+  int strand_contacts = 0;    ///< pairs of strand edges closer than the thickness
+  int collider_contacts = 0;  ///< vertices closer to a collider than the thickness
+  double penetration = 0;     ///< deepest violation of the thickness, m
+};
+
+/// Finds contacts and resists them. A scene that names no collision has no stage at all.
+class CollisionStage {
+ public:
+  virtual ~CollisionStage() = default;
+
+  /// Called once. The arguments outlive the stage.
+  virtual void bind(const Strands& strands, const StrandGroups& groups, const Motions& motions) = 0;
+  /// Vertices that start inside a collider that pins them.
+  virtual std::vector<Pin> pins(const std::vector<Eigen::Vector3d>& positions) const = 0;
+  /// Pinned vertices do not feel contacts: free is 1 for a free vertex. Called before detect().
+  virtual void set_free(const VertexScalars& free) = 0;
+  /// A step begins: colliders move to their place at the end of the step. x_n are its first
+  /// positions.
+  virtual void begin_step(const VertexField& x_n, double time_end, double dt) = 0;
+  /// Collects candidate pairs near positions x. Called before every Newton iteration.
+  virtual void detect(const VertexField& x) = 0;
+  /// Returns the contact energy of the candidates at x, J; adds its gradient and its positive
+  /// semi-definite Hessian unless null. Results do not depend on the number of threads.
+  virtual double add(const VertexField& x, VertexField* gradient, CouplingBlocks* hessian) = 0;
+  /// About the last add().
+  virtual ContactReport report() const = 0;
+};
+
+}  // namespace ringlet

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/strand_bands.h"
+#include "core/vertex_field.h"
+
+namespace ringlet {
+
+/// A symmetric matrix over arbitrary pairs of vertices, as contacts make it: collected block by
+/// block, then split into what fits into the strand bands and what couples vertices beyond them.
+class CouplingBlocks {
+ public:
+  CouplingBlocks() = default;
+  explicit CouplingBlocks(const StrandGroups& groups)
+      : groups_(&groups), group_blocks_(groups.count()) {}
+
+  void clear();
+  /// Adds a term over up to four vertices, all different, the first two and the last two of them
+  /// neighbours on a strand (two edges) where they have weight:
+  ///
+  ///     block(i, j) += w_i w_j C,   C symmetric and positive semi-definite
+  ///
+  /// What fits into the bands goes there, but never so that what remains of the term in the bands
+  /// is indefinite: where two of the vertices are on one strand, but too far apart for its band,
+  /// the edges count as two strands.
+  void add(const std::array<int, 4>& vertices, const std::array<double, 4>& weights,
+           const Eigen::Matrix3d& curvature);
+  /// Sorts what was added; call once after the last add(). Blocks that couple a pinned vertex with
+  /// another one are dropped: free is 1 for a free vertex and 0 for a pinned one.
+  void finish(const VertexScalars& free);
+
+  bool empty() const { return entries_.empty(); }
+  /// Number of blocks outside the bands, counting both triangles.
+  int off_band_count() const { return off_band_count_; }
+  /// Adds the blocks that belong there to the bands of a group.
+  void add_to_bands(int group, GroupBands bands) const;
+  /// y += B x for the rows of a group, B being all blocks outside the bands.
+  void add_product(int group, const VertexField& x, VertexField& y) const;
+
+  /// Visits the blocks outside the bands, rows in lane order: visit(row_vertex, column_vertex,
+  /// block).
+  template <class Visit>
+  void for_each_off_band(const Visit& visit) const {
+    for (const GroupBlocks& group : group_blocks_) {
+      for (const Block& block : group.off_band) visit(block.row, block.column, block.values);
+    }
+  }
+
+ private:
+  struct Entry {
+    int i, j;
+    bool in_band;
+    Eigen::Matrix3d block;
+  };
+  /// An entry as one group sees it: in its bands, or in a row of it outside the bands.
+  struct Reference {
+    int entry;
+    bool transposed;
+  };
+  struct Block {
+    int row, column;  ///< vertices
+    Eigen::Matrix3d values;
+  };
+  struct GroupBlocks {
+    std::vector<int> in_band;           ///< indices of entries
+    std::vector<Reference> references;  ///< to entries with a row in this group outside the bands
+    std::vector<Block> off_band;        ///< summed, sorted by row and column in lane order
+  };
+  bool on_one_strand(int i, int j) const;
+  bool fit_into_band(int i, int j) const;
+  int place(int vertex) const;
+  void sum_off_band(GroupBlocks& group) const;
+
+  const StrandGroups* groups_ = nullptr;
+  std::vector<Entry> entries_;
+  std::vector<GroupBlocks> group_blocks_;
+  int off_band_count_ = 0;
+};
+
+}  // namespace ringlet

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <span>
+#include <string_view>
+
+#include "core/elementary.h"
+#include "core/material.h"
+#include "core/strand_bands.h"
+#include "core/vector3.h"
+
+namespace ringlet {
+
+/// An element: a window of K consecutive vertices of a strand. Edge 2, hinge 3, dihedral 4.
+template <class S, int K>
+using Stencil = std::array<Vector3<S>, K>;
+
+/// What a kernel sees of one element in its rest state, root side first.
+template <int K>
+struct ElementRest {
+  Stencil<double, K> positions;       ///< m
+  std::array<double, K - 1> lengths;  ///< of the edges, m
+  std::array<double, K> radii;        ///< of the strand at the vertices, m
+  const Material& material;
+};
+
+/// The matrix weight q q^T over the vertices of an element.
+template <class S, int K>
+struct RankOne {
+  S weight;
+  Stencil<S, K> q;
+};
+
+/// Gradient and Hessian of one element with respect to its K vertices. The lower triangle of the
+/// Hessian is kept, as 3x3 blocks; an energy that adds symmetric terms needs nothing else.
+template <class S, int K>
+struct Derivatives {
+  static constexpr int blocks = K * (K + 1) / 2;
+
+  std::array<Vector3<S>, K> gradient;
+  std::array<Matrix3<S>, blocks> hessian;
+
+  static Derivatives zero() {
+    Derivatives d;
+    d.gradient.fill({S(0), S(0), S(0)});
+    d.hessian.fill(Matrix3<S>::zero());
+    return d;
+  }
+  /// The block at vertices (row, column), row >= column.
+  Matrix3<S>& block(int row, int column) { return hessian[row * (row + 1) / 2 + column]; }
+  const Matrix3<S>& block(int row, int column) const {
+    return hessian[row * (row + 1) / 2 + column];
+  }
+  /// Hessian = sum over the terms of weight q q^T, an entry at a time so that nothing but the
+  /// result is written.
+  template <std::size_t N>
+  void set_hessian(const std::array<RankOne<S, K>, N>& terms) {
+    using V = Vector3<S>;
+    for (int row = 0; row < K; ++row) {
+      std::array<V, N> scaled;
+      for (std::size_t t = 0; t < N; ++t) scaled[t] = terms[t].weight * terms[t].q[row];
+      const auto entry = [&](S V::*i, S V::*j, int column) {
+        S sum = scaled[0].*i * terms[0].q[column].*j;
+        for (std::size_t t = 1; t < N; ++t) sum += scaled[t].*i * terms[t].q[column].*j;
+        return sum;
+      };
+      for (int column = 0; column < row; ++column) {
+        Matrix3<S>& target = block(row, column);
+        target.m[0] = entry(&V::x, &V::x, column);
+        target.m[1] = entry(&V::x, &V::y, column);
+        target.m[2] = entry(&V::x, &V::z, column);
+        target.m[3] = entry(&V::y, &V::x, column);
+        target.m[4] = entry(&V::y, &V::y, column);
+        target.m[5] = entry(&V::y, &V::z, column);
+        target.m[6] = entry(&V::z, &V::x, column);
+        target.m[7] = entry(&V::z, &V::y, column);
+        target.m[8] = entry(&V::z, &V::z, column);
+      }
+      Matrix3<S>& target = block(row, row);
+      target.m[0] = entry(&V::x, &V::x, row);
+      target.m[4] = entry(&V::y, &V::y, row);
+      target.m[8] = entry(&V::z, &V::z, row);
+      target.m[1] = target.m[3] = entry(&V::x, &V::y, row);
+      target.m[2] = target.m[6] = entry(&V::x, &V::z, row);
+      target.m[5] = target.m[7] = entry(&V::y, &V::z, row);
+    }
+  }
+};
+
+/// How an element's Hessian is made positive semi-definite (math.md, sections 2 and 3).
+enum class Filter {
+  tight,  ///< closed form; the positive part of every term, nothing more
+  exact,  ///< none: the exact Hessian, possibly indefinite
+};
+
+/// An energy of one element, written once for every scalar S. `Rest<S>` holds nothing but scalars
+/// S, one of them named `stiffness`, to which the energy is proportional. `rest` computes it for
+/// one element of the rest state; `value` returns the energy, J, finite for every finite position.
+template <class Kernel>
+concept ElementKernel = requires(const Kernel& kernel, const Stencil<double, Kernel::vertices>& x,
+                                 const ElementRest<Kernel::vertices>& element,
+                                 const typename Kernel::template Rest<double>& rest) {
+  requires Kernel::vertices >= 2 && Kernel::vertices <= band_blocks;
+  { rest.stiffness } -> std::convertible_to<double>;
+  { kernel.rest(element) } -> std::same_as<typename Kernel::template Rest<double>>;
+  { kernel.value(x, rest) } -> std::same_as<double>;
+};
+
+/// A kernel that also gives its derivatives in closed form: returns the value, and writes gradient
+/// and filtered Hessian.
+template <class Kernel>
+concept ClosedFormKernel = ElementKernel<Kernel> &&
+    requires(const Kernel& kernel, const Stencil<double, Kernel::vertices>& x,
+             const typename Kernel::template Rest<double>& rest, Filter filter,
+             Derivatives<double, Kernel::vertices>& derivatives) {
+  { kernel.evaluate(x, rest, filter, derivatives) } -> std::same_as<double>;
+};
+
+}  // namespace ringlet

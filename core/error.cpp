@@ -1,0 +1,21 @@
+#include "core/error.h"
+
+namespace ringlet {
+namespace {
+
+std::string describe(const std::vector<Problem>& problems) {
+  std::string text = std::to_string(problems.size()) +
+                     (problems.size() == 1 ? " problem in the scene:" : " problems in the scene:");
+  for (const Problem& problem : problems) {
+    text += "\n  " + (problem.pointer.empty() ? "(whole file)" : problem.pointer) + ": " +
+            problem.message;
+  }
+  return text;
+}
+
+}  // namespace
+
+InvalidScene::InvalidScene(std::vector<Problem> problems)
+    : Error(describe(problems)), problems_(std::move(problems)) {}
+
+}  // namespace ringlet

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/model.h"
+#include "core/system_matrix.h"
+
+namespace ringlet {
+
+/// The parts of the value of an incremental potential, J.
+struct PotentialTerms {
+  double inertia = 0;
+  std::vector<double> energies;  ///< of each elastic term
+  double forces = 0;
+  double contacts = 0;
+
+  double total() const;
+  /// The sum of their absolute values: the scale of the rounding errors in total().
+  double magnitude() const;
+};
+
+/// What a time step minimises (math.md, section 6):
+///
+///     Phi(x) = (x - y)^T M (x - y) / (2 h^2) + sum of energies + sum of forces + contacts
+///
+/// y is the inertial target, h the effective time step: for BDF-1 y = x_n + dt v_n and h = dt.
+/// Pinned vertices are not unknowns: they stand where x has them.
+class IncrementalPotential {
+ public:
+  /// All references must outlive the potential.
+  IncrementalPotential(const Model& model, const VertexField& inertial_target, double h)
+      : model_(model), target_(inertial_target), inverse_h2_(1 / (h * h)) {}
+
+  PotentialTerms value(const VertexField& x) const;
+
+  /// Value, gradient and filtered Hessian; gradient is zero and the matrix identity at pinned
+  /// vertices. Each group's bands are handed to the solver's prepare_group() when complete.
+  PotentialTerms assemble(const VertexField& x, VertexField& gradient, SystemMatrix& matrix,
+                          LinearSolver& solver) const;
+
+ private:
+  /// Terms of one group in the order of PotentialTerms, without the contacts.
+  void add_group(int group, const VertexField& x, GroupOutputs outputs,
+                 std::span<double> terms) const;
+  double add_inertia(int group, const VertexField& x, GroupOutputs outputs) const;
+  std::size_t term_count() const { return model_.energies.size() + 2; }
+  PotentialTerms sum(std::span<const double> terms_of_groups) const;
+
+  const Model& model_;
+  const VertexField& target_;
+  double inverse_h2_;
+};
+
+/// Says in words where something is not finite: the first vertex whose position is not, or the
+/// first term of the potential with a value, gradient or Hessian that is not. Nothing if all is
+/// finite. Slow; for error messages.
+std::optional<std::string> find_non_finite(const Model& model, const VertexField& x);
+
+}  // namespace ringlet

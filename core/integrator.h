@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/model.h"
+#include "core/state.h"
+#include "core/step_report.h"
+
+namespace ringlet {
+
+/// Advances a state by one time step.
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+  /// The time step, s.
+  virtual double time_step() const = 0;
+  /// Called once, before the first step.
+  virtual void bind(const Model& model) = 0;
+  /// Advances the state from its time to time + time_step(). On failure the report says what and
+  /// where, and the state is unchanged.
+  virtual StepReport step(Model& model, State& state) = 0;
+};
+
+}  // namespace ringlet

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cmath>
+#include <experimental/simd>
+
+namespace ringlet {
+
+/// Strands are processed side by side, one per lane of a pack.
+inline constexpr int lane_count = 8;
+
+/// Eight doubles, one a strand: the production scalar of every kernel. One 512-bit register where
+/// the machine has them, several narrower ones elsewhere; the results are those of the same IEEE
+/// operations lane by lane.
+using Pack =
+    std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, lane_count>>;
+using Mask = Pack::mask_type;
+
+// Kernels are templates over their scalar (double, Pack, dual numbers) and call these functions
+// unqualified: doubles find them here, packs and dual numbers by argument-dependent lookup.
+using std::abs;
+using std::copysign;
+using std::max;
+using std::min;
+using std::sqrt;
+
+/// condition ? a : b, for every scalar.
+inline double select(bool condition, double a, double b) { return condition ? a : b; }
+inline Pack select(const Mask& condition, const Pack& a, const Pack& b) {
+  Pack result = b;
+  std::experimental::where(condition, result) = a;
+  return result;
+}
+
+inline bool any(bool condition) { return condition; }
+inline bool any(const Mask& condition) { return std::experimental::any_of(condition); }
+
+/// The sum over the lanes in lane order, the same on every machine.
+inline double sum_lanes(double value) { return value; }
+inline double sum_lanes(const Pack& values) {
+  double sum = 0;
+  for (int lane = 0; lane < lane_count; ++lane) sum += values[lane];
+  return sum;
+}
+
+}  // namespace ringlet

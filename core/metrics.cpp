@@ -1,0 +1,82 @@
+#include "core/metrics.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/parallel.h"
+
+namespace ringlet {
+namespace {
+
+RestDistance measure_strand(const Strands& strands, const VertexField& positions, int strand) {
+  RestDistance distance;
+  const double length = strands.strand_length(strand);
+  for (int v = strands.first(strand); v < strands.first(strand + 1); ++v) {
+    const double relative = (positions.get(v) - strands.rest_position(v)).norm() / length;
+    distance.mean += relative;
+    distance.max = std::max(distance.max, relative);
+  }
+  return distance;
+}
+
+std::vector<Metric> list_energies(const std::vector<std::string>& types) {
+  std::vector<Metric> metrics;
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    const auto earlier = std::count(types.begin(), types.begin() + static_cast<long>(i), types[i]);
+    const std::string suffix = earlier == 0 ? "" : "_" + std::to_string(earlier + 1);
+    metrics.push_back({"energy_" + types[i] + suffix,
+                       [i](const StepSample& sample) { return sample.report.energies.at(i); }});
+  }
+  return metrics;
+}
+
+}  // namespace
+
+RestDistance measure_rest_distance(const Model& model, const VertexField& positions) {
+  const Strands& strands = model.strands;
+  std::vector<RestDistance> of_strands(strands.count());
+  parallel_for_each(strands.count(), [&](int strand) {
+    of_strands[strand] = measure_strand(strands, positions, strand);
+  });
+  RestDistance all;
+  for (const RestDistance& one : of_strands) {
+    all.mean += one.mean / strands.vertex_count();
+    all.max = std::max(all.max, one.max);
+  }
+  return all;
+}
+
+std::vector<Metric> list_metrics(const std::vector<std::string>& energy_types) {
+  using Sample = const StepSample&;
+  std::vector<Metric> metrics{
+      {"step", [](Sample s) { return s.step; }},
+      {"time", [](Sample s) { return s.time; }},
+      {"newton_iterations", [](Sample s) { return s.report.newton_iterations; }},
+      {"newton_converged", [](Sample s) { return s.report.newton_converged; }},
+      {"newton_update", [](Sample s) { return s.report.newton_update; }},
+      {"linear_iterations", [](Sample s) { return s.report.linear_iterations; }},
+      {"linear_converged", [](Sample s) { return s.report.linear_converged; }},
+      {"linear_residual", [](Sample s) { return s.report.linear_residual; }},
+      {"line_search_halvings", [](Sample s) { return s.report.line_search_halvings; }},
+      {"kinetic_energy", [](Sample s) { return s.report.kinetic_energy; }}};
+  for (Metric& energy : list_energies(energy_types)) metrics.push_back(std::move(energy));
+  const std::vector<Metric> rest{
+      {"contacts",
+       [](Sample s) {
+         return s.report.contacts.strand_contacts + s.report.contacts.collider_contacts;
+       }},
+      {"strand_contacts", [](Sample s) { return s.report.contacts.strand_contacts; }},
+      {"collider_contacts", [](Sample s) { return s.report.contacts.collider_contacts; }},
+      {"penetration", [](Sample s) { return s.report.contacts.penetration; }},
+      {"mean_rest_distance", [](Sample s) { return s.rest_distance.mean; }},
+      {"max_rest_distance", [](Sample s) { return s.rest_distance.max; }},
+      {"detect_ms", [](Sample s) { return 1e3 * s.report.seconds.detect; }},
+      {"evaluate_ms", [](Sample s) { return 1e3 * s.report.seconds.evaluate; }},
+      {"solve_ms", [](Sample s) { return 1e3 * s.report.seconds.solve; }},
+      {"line_search_ms", [](Sample s) { return 1e3 * s.report.seconds.line_search; }},
+      {"step_ms", [](Sample s) { return 1e3 * s.seconds; }}};
+  metrics.insert(metrics.end(), rest.begin(), rest.end());
+  return metrics;
+}
+
+}  // namespace ringlet

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/collision_stage.h"
+#include "core/energy.h"
+#include "core/force.h"
+#include "core/linear_solver.h"
+#include "core/motion.h"
+#include "core/strand_groups.h"
+#include "core/strands.h"
+
+namespace ringlet {
+
+/// What is simulated: strands, the terms of their potential, and the stages that a step runs
+/// through. Not movable, since its parts refer to each other.
+struct Model {
+  explicit Model(Strands given) : strands(std::move(given)), groups(strands) {}
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+
+  const Strands strands;
+  const StrandGroups groups;
+  Motions motions;
+  std::vector<std::string> energy_names;  ///< type of each energy, for reports
+  std::vector<std::unique_ptr<Energy>> energies;
+  std::vector<std::unique_ptr<Force>> forces;
+  std::unique_ptr<CollisionStage> collision;  ///< null: the scene has no collision
+  std::unique_ptr<LinearSolver> solver;
+  std::vector<Pin> pins;
+  VertexField pinned_from;  ///< positions of the pins at time 0
+  VertexScalars free;       ///< 1: free; 0: pinned, or a pad
+  VertexScalars mass;       ///< kg; 1 on pads
+};
+
+}  // namespace ringlet

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace ringlet {
+
+class Registry;
+
+/// Registers the plugins that core itself brings: strand sources and readers, roots, poses,
+/// motions.
+void register_core(Registry&);
+
+}  // namespace ringlet

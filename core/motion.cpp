@@ -1,0 +1,20 @@
+#include "core/motion.h"
+
+#include "core/error.h"
+
+namespace ringlet {
+
+void Motions::add(const std::string& name, std::vector<std::unique_ptr<Motion>> parts) {
+  parts_[name] = std::move(parts);
+}
+
+Eigen::Isometry3d Motions::at(const std::string& name, double time) const {
+  Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
+  if (name.empty()) return placement;
+  const auto found = parts_.find(name);
+  if (found == parts_.end()) throw Error("there is no motion named '" + name + "'");
+  for (const auto& part : found->second) placement = part->at(time) * placement;
+  return placement;
+}
+
+}  // namespace ringlet

@@ -1,0 +1,159 @@
+#include "core/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "core/suggest.h"
+
+namespace ringlet {
+namespace {
+
+std::string format(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+}  // namespace
+
+std::string pointer_to(const std::string& parent, const std::string& key) {
+  std::string pointer = parent + "/";
+  for (const char c : key) {
+    if (c == '~') {
+      pointer += "~0";
+    } else if (c == '/') {
+      pointer += "~1";
+    } else {
+      pointer += c;
+    }
+  }
+  return pointer;
+}
+
+std::string pointer_to(const std::string& parent, std::size_t index) {
+  return parent + "/" + std::to_string(index);
+}
+
+std::string Range::text() const {
+  const bool has_low = std::isfinite(low), has_high = std::isfinite(high);
+  if (has_low && has_high) {
+    return std::string("in ") + (low_excluded ? "(" : "[") + format(low) + ", " + format(high) +
+           "]";
+  }
+  if (has_low) return (low_excluded ? "> " : ">= ") + format(low);
+  if (has_high) return "<= " + format(high);
+  return "";
+}
+
+std::string KeyInfo::expected() const {
+  std::string text = "expected " + type;
+  if (!range.text().empty()) text += " " + range.text();
+  if (!unit.empty()) text += " in " + unit;
+  return text;
+}
+
+namespace {
+
+void report_mismatch(const Json& json, const std::string& pointer, const KeyInfo& info,
+                     ParseContext& context) {
+  std::string found = json.dump();
+  if (found.size() > 40) found = found.substr(0, 37) + "...";
+  context.problem(pointer, info.expected() + ", found " + found);
+}
+
+}  // namespace
+
+void Codec<double>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                         ParseContext& context, double& out) {
+  if (!json.is_number() || !info.range.contains(json.get<double>())) {
+    report_mismatch(json, pointer, info, context);
+  } else {
+    out = json.get<double>();
+  }
+}
+
+void Codec<int>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                      ParseContext& context, int& out) {
+  const double value = json.is_number() ? json.get<double>() : 0.0;
+  if (!json.is_number() || value != std::floor(value) || !info.range.contains(value) ||
+      std::abs(value) > std::numeric_limits<int>::max()) {
+    report_mismatch(json, pointer, info, context);
+  } else {
+    out = static_cast<int>(value);
+  }
+}
+
+void Codec<bool>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                       ParseContext& context, bool& out) {
+  if (!json.is_boolean()) {
+    report_mismatch(json, pointer, info, context);
+  } else {
+    out = json.get<bool>();
+  }
+}
+
+void Codec<std::string>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                              ParseContext& context, std::string& out) {
+  if (!json.is_string()) {
+    report_mismatch(json, pointer, info, context);
+  } else {
+    out = json.get<std::string>();
+  }
+}
+
+void Codec<Eigen::Vector3d>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                                  ParseContext& context, Eigen::Vector3d& out) {
+  const bool numbers = json.is_array() && json.size() == 3 &&
+                       std::all_of(json.begin(), json.end(), [&](const Json& entry) {
+                         return entry.is_number() && info.range.contains(entry.get<double>());
+                       });
+  if (!numbers) {
+    report_mismatch(json, pointer, info, context);
+  } else {
+    for (int i = 0; i < 3; ++i) out[i] = json[i].get<double>();
+  }
+}
+
+void Codec<ScenePath>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                            ParseContext& context, ScenePath& out) {
+  if (!json.is_string()) {
+    report_mismatch(json, pointer, info, context);
+    return;
+  }
+  const auto path = std::filesystem::absolute(context.folder / json.get<std::string>());
+  if (!std::filesystem::is_regular_file(path)) {
+    context.problem(pointer, "there is no file '" + path.lexically_normal().string() + "'");
+    return;
+  }
+  out.absolute = path.lexically_normal();
+}
+
+void Codec<MotionName>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                             ParseContext& context, MotionName& out) {
+  if (!json.is_string()) {
+    report_mismatch(json, pointer, info, context);
+    return;
+  }
+  const auto name = json.get<std::string>();
+  const auto& known = context.motions;
+  if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end()) {
+    context.problem(pointer,
+                    "there is no motion '" + name + "' in /motions; " + did_you_mean(name, known));
+    return;
+  }
+  out.name = name;
+}
+
+void report_unknown_keys(const Json& object, const std::vector<KeyInfo>& keys,
+                         const std::string& pointer, bool type_allowed, ParseContext& context) {
+  std::vector<std::string> known;
+  if (type_allowed) known.emplace_back("type");
+  for (const KeyInfo& key : keys) known.push_back(key.name);
+  for (const auto& [name, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    context.problem(pointer_to(pointer, name), "unknown key; " + did_you_mean(name, known));
+  }
+}
+
+}  // namespace ringlet

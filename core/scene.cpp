@@ -1,0 +1,188 @@
+#include "core/scene.h"
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+#include "core/metrics.h"
+
+namespace ringlet {
+
+template <>
+struct Codec<NamedMotions> {
+  static std::string type() { return "object of lists of motions"; }
+  static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                   ParseContext& context, NamedMotions& out) {
+    if (!json.is_object()) {
+      context.problem(pointer, info.expected());
+      return;
+    }
+    for (const auto& [name, parts] : json.items()) {
+      Codec<std::vector<Choice<Motion>>>::read(parts, pointer_to(pointer, name), info, context,
+                                               out[name]);
+    }
+  }
+  static Json write(const NamedMotions& motions) {
+    Json json = Json::object();
+    for (const auto& [name, parts] : motions) {
+      json[name] = Codec<std::vector<Choice<Motion>>>::write(parts);
+    }
+    return json;
+  }
+};
+
+/// One source, or a list of them whose strands stand in one scene.
+template <>
+struct Codec<std::vector<Choice<StrandSource>>> {
+  using Source = Codec<Choice<StrandSource>>;
+  static std::string type() { return "strand source, or list of them"; }
+  static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                   ParseContext& context, std::vector<Choice<StrandSource>>& out) {
+    if (!json.is_array()) {
+      Source::read(json, pointer, info, context, out.emplace_back());
+      return;
+    }
+    if (json.empty()) context.problem(pointer, "expected at least one strand source");
+    for (std::size_t i = 0; i < json.size(); ++i) {
+      Source::read(json[i], pointer_to(pointer, i), info, context, out.emplace_back());
+    }
+  }
+  static Json write(const std::vector<Choice<StrandSource>>& sources) {
+    Json json = Json::array();
+    for (const auto& source : sources) json.push_back(Source::write(source));
+    return json;
+  }
+};
+
+/// Declared here because every scene has exactly one material.
+template <>
+struct Codec<Material> {
+  static std::string type() { return "object"; }
+  static Schema<Material> schema() {
+    return Schema<Material>()
+        .key("youngs_modulus", &Material::youngs_modulus, "Pa", at_least(0), "Young's modulus E")
+        .key("shear_modulus", &Material::shear_modulus, "Pa", at_least(0),
+             "shear modulus G; E / 2(1 + poisson_ratio) if absent")
+        .key("poisson_ratio", &Material::poisson_ratio, "", between(-1, 0.5),
+             "only used where shear_modulus is absent")
+        .key("density", &Material::density, "kg/m^3", positive(), "mass per volume")
+        .key("radius", &Material::radius, "m", positive(), "of the cross-section, at the root")
+        .key("tip_radius", &Material::tip_radius, "m", positive(),
+             "of the cross-section at the tip; that of the root if absent")
+        .check([](Material& material, const std::string&, ParseContext&) {
+          material.shear_modulus = material.shear();
+          material.tip_radius = material.tip_radius.value_or(material.radius);
+        });
+  }
+  static void read(const Json& json, const std::string& pointer, const KeyInfo&,
+                   ParseContext& context, Material& out) {
+    schema().read(json, pointer, context, out);
+  }
+  static Json write(const Material& material) { return schema().write(material); }
+  static void complete(const std::string& pointer, ParseContext& context, Material& out) {
+    schema().read(Json::object(), pointer, context, out);
+  }
+};
+
+Schema<RunParameters> RunParameters::schema() {
+  return Schema<RunParameters>()
+      .key("steps", &RunParameters::steps, "", at_least(0), "number of time steps")
+      .key("write", &RunParameters::write, "", any_number(), "writers of the run folder");
+}
+
+Schema<Expectation> Expectation::schema() {
+  return Schema<Expectation>()
+      .required("step", &Expectation::step, "", at_least(1), "step after which to look")
+      .required("quantity", &Expectation::quantity, "", any_number(), "a column of metrics.csv")
+      .key("min", &Expectation::min, "", any_number(), "smallest value that is right")
+      .key("max", &Expectation::max, "", any_number(), "largest value that is right")
+      .check([](Expectation& expectation, const std::string& pointer, ParseContext& context) {
+        if (!expectation.min && !expectation.max) {
+          context.problem(pointer, "expected 'min', 'max' or both");
+        }
+      });
+}
+
+Schema<Scene> Scene::schema() {
+  return Schema<Scene>()
+      .key("about", &Scene::about, "", any_number(), "what the scene shows, for its readers")
+      .key("plugins", &Scene::plugins, "", any_number(), "libraries to load")
+      .key("motions", &Scene::motions, "", any_number(),
+           "named rigid motions, which colliders and pinned strands may follow")
+      .required("strands", &Scene::strands, "", any_number(), "the strands in their rest shape")
+      .key("material", &Scene::material, "", any_number(), "what the strands are made of")
+      .key("start", &Scene::start, "", any_number(),
+           "deformations, applied in order, that lead from the rest shape to the starting shape")
+      .key("energies", &Scene::energies, "", any_number(), "the terms of the elastic potential")
+      .key("forces", &Scene::forces, "", any_number(), "gravity, drag, damping")
+      .key("collision", &Scene::collision, "", any_number(), "finds contacts and resists them")
+      .key("solver", &Scene::solver, "", any_number(), "of the linear system of a Newton step")
+      .key("integrator", &Scene::integrator, "", any_number(), "advances time")
+      .key("run", &Scene::run, "", any_number(), "how long, and what is written")
+      .key("expect", &Scene::expect, "", any_number(), "bounds that a run of the scene must meet");
+}
+
+Json load_json(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  if (!file) throw Error("cannot open '" + path.string() + "'");
+  std::vector<std::set<std::string>> keys_of_open_objects;
+  std::vector<std::string> repeated;
+  const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
+    if (event == Json::parse_event_t::object_start) keys_of_open_objects.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys_of_open_objects.pop_back();
+    if (event == Json::parse_event_t::key &&
+        !keys_of_open_objects.back().insert(parsed.get<std::string>()).second) {
+      repeated.push_back(parsed.get<std::string>());
+    }
+    return true;
+  };
+  try {
+    Json json = Json::parse(file, watch, true, true);
+    if (!repeated.empty()) {
+      throw Error("'" + path.string() + "': the key '" + repeated.front() +
+                  "' stands twice in one object");
+    }
+    return json;
+  } catch (const Json::exception& error) {
+    throw Error("'" + path.string() + "' is not valid JSON: " + error.what());
+  }
+}
+
+namespace {
+
+void check_expectations(const Scene& scene, ParseContext& context) {
+  std::vector<std::string> energies, known;
+  for (const auto& energy : scene.energies) energies.push_back(energy.type());
+  for (const Metric& metric : list_metrics(energies)) known.push_back(metric.name);
+  for (std::size_t i = 0; i < scene.expect.size(); ++i) {
+    const Expectation& expectation = scene.expect[i];
+    // A quantity that could not be read is empty, and its problem is already known.
+    if (expectation.quantity.empty()) continue;
+    if (std::find(known.begin(), known.end(), expectation.quantity) == known.end()) {
+      context.problem(pointer_to(pointer_to("/expect", i), "quantity"),
+                      "there is no quantity '" + expectation.quantity + "'; " +
+                          did_you_mean(expectation.quantity, known));
+    }
+  }
+}
+
+}  // namespace
+
+Scene read_scene(const Json& json, const Registry& registry, const std::filesystem::path& folder) {
+  std::vector<Problem> problems;
+  ParseContext context{registry, folder, {}, problems};
+  if (json.is_object() && json.contains("motions") && json["motions"].is_object()) {
+    for (const auto& [name, parts] : json["motions"].items()) context.motions.push_back(name);
+  }
+  Scene scene;
+  Scene::schema().read(json, "", context, scene);
+  check_expectations(scene, context);
+  if (!scene.plugins.empty()) {
+    context.problem("/plugins",
+                    "loading plugin libraries is not supported; expected an empty list");
+  }
+  if (!problems.empty()) throw InvalidScene(std::move(problems));
+  return scene;
+}
+
+}  // namespace ringlet

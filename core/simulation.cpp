@@ -1,0 +1,128 @@
+#include "core/simulation.h"
+
+#include <map>
+
+#include "core/error.h"
+#include "core/pose.h"
+#include "core/strand_source.h"
+
+namespace ringlet {
+namespace {
+
+StrandSet generate_all(const std::vector<Choice<StrandSource>>& sources) {
+  StrandSet all;
+  const auto append = [](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  for (const auto& source : sources) {
+    const StrandSet set = source.make()->generate();
+    append(all.vertex_counts, set.vertex_counts);
+    append(all.positions, set.positions);
+    append(all.pinned_counts, set.pinned_counts);
+    append(all.motions, set.motions);
+  }
+  if (all.vertex_counts.empty()) throw Error("the scene's strand sources made no strand");
+  return all;
+}
+
+// A vertex held by its strand and also inside a collider that pins follows the strand's motion if
+// the scene names one, else the collider's.
+std::vector<Pin> collect_pins(const Strands& strands, const StrandSet& set,
+                              const std::vector<Pin>& collider_pins) {
+  std::map<int, std::string> motion_of;
+  for (const Pin& pin : collider_pins) motion_of[pin.vertex] = pin.motion;
+  for (int strand = 0; strand < strands.count(); ++strand) {
+    for (int i = 0; i < std::min(set.pinned_counts[strand], strands.size(strand)); ++i) {
+      const auto [entry, is_new] =
+          motion_of.try_emplace(strands.first(strand) + i, set.motions[strand]);
+      if (!is_new && !set.motions[strand].empty()) entry->second = set.motions[strand];
+    }
+  }
+  std::vector<Pin> pins;
+  for (const auto& [vertex, motion] : motion_of) pins.push_back({vertex, motion});
+  return pins;
+}
+
+void mark_free_and_mass(Model& model) {
+  model.free.assign(model.groups.rows(), Pack(0));
+  model.mass.assign(model.groups.rows(), Pack(1));
+  for (int v = 0; v < model.strands.vertex_count(); ++v) {
+    const auto [row, lane] = model.groups.slot(v);
+    model.free[row][lane] = 1;
+    model.mass[row][lane] = model.strands.mass(v);
+  }
+  for (const Pin& pin : model.pins) {
+    const auto [row, lane] = model.groups.slot(pin.vertex);
+    model.free[row][lane] = 0;
+  }
+}
+
+template <class Interface>
+std::vector<std::unique_ptr<Interface>> make_terms(const std::vector<Choice<Interface>>& choices,
+                                                   const Model& model) {
+  std::vector<std::unique_ptr<Interface>> terms;
+  for (const auto& choice : choices) {
+    terms.push_back(choice.make());
+    terms.back()->bind(model.strands, model.groups);
+  }
+  return terms;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Scene& scene) {
+  StrandSet set = generate_all(scene.strands);
+  model_ = std::make_unique<Model>(Strands(set.vertex_counts, set.positions, scene.material));
+  Model& model = *model_;
+  for (const auto& [name, parts] : scene.motions) {
+    std::vector<std::unique_ptr<Motion>> made;
+    for (const auto& part : parts) made.push_back(part.make());
+    model.motions.add(name, std::move(made));
+  }
+  for (const auto& pose : scene.start) {
+    pose.make()->apply(model.strands, set.pinned_counts, set.positions);
+  }
+
+  std::vector<Pin> collider_pins;
+  if (scene.collision) {
+    model.collision = scene.collision->make();
+    model.collision->bind(model.strands, model.groups, model.motions);
+    collider_pins = model.collision->pins(set.positions);
+  }
+  model.pins = collect_pins(model.strands, set, collider_pins);
+  mark_free_and_mass(model);
+  if (model.collision) model.collision->set_free(model.free);
+
+  model.energies = make_terms(scene.energies, model);
+  for (const auto& energy : scene.energies) model.energy_names.push_back(energy.type());
+  model.forces = make_terms(scene.forces, model);
+  model.solver = scene.solver.make();
+  model.solver->bind(model.groups);
+
+  state_.positions = positions_with_pads(model.groups, set.positions);
+  state_.velocities = VertexField(model.groups);
+  model.pinned_from = state_.positions;
+  integrator_ = scene.integrator.make();
+  integrator_->bind(model);
+}
+
+StepReport Simulation::step() {
+  StepReport report = integrator_->step(*model_, state_);
+  if (report.failure.empty()) ++steps_done_;
+  return report;
+}
+
+void place_pins(const Model& model, double time, VertexField& x) {
+  std::map<std::string, Eigen::Isometry3d> since_start;
+  for (const Pin& pin : model.pins) {
+    auto found = since_start.find(pin.motion);
+    if (found == since_start.end()) {
+      const Eigen::Isometry3d moved =
+          model.motions.at(pin.motion, time) * model.motions.at(pin.motion, 0).inverse();
+      found = since_start.emplace(pin.motion, moved).first;
+    }
+    x.set(pin.vertex, found->second * model.pinned_from.get(pin.vertex));
+  }
+}
+
+}  // namespace ringlet

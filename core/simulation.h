@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+
+#include "core/integrator.h"
+#include "core/model.h"
+#include "core/scene.h"
+#include "core/state.h"
+
+namespace ringlet {
+
+/// A scene brought to life: its model, state and integrator.
+class Simulation {
+ public:
+  /// Throws Error if strands cannot be made or a part refuses its input.
+  explicit Simulation(const Scene& scene);
+
+  const Model& model() const { return *model_; }
+  const State& state() const { return state_; }
+  int steps_done() const { return steps_done_; }
+  /// One time step: the six stages of the README. If the report names a failure, the state is
+  /// unchanged.
+  StepReport step();
+
+ private:
+  std::unique_ptr<Model> model_;
+  std::unique_ptr<Integrator> integrator_;
+  State state_;
+  int steps_done_ = 0;
+};
+
+/// Where the pins of a model are at a time; x is otherwise unchanged.
+void place_pins(const Model& model, double time, VertexField& x);
+
+}  // namespace ringlet

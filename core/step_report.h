@@ -1,0 +1,46 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "core/collision_stage.h"
+
+namespace ringlet {
+
+/// Seconds spent in each stage of a step.
+struct StageSeconds {
+  double detect = 0, evaluate = 0, solve = 0, line_search = 0;
+};
+
+/// What an integrator says about one step.
+struct StepReport {
+  int newton_iterations = 0;
+  bool newton_converged = true;  ///< false: the iteration cap was hit first
+  double newton_update = 0;      ///< largest vertex displacement of the last Newton update, m
+  int linear_iterations = 0;     ///< of all solves of the step
+  bool linear_converged = true;  ///< of all solves of the step
+  double linear_residual = 0;    ///< worst of the step, as the solver reports it
+  int line_search_halvings = 0;
+  std::vector<double> energies;  ///< of each elastic term at the end of the step, J
+  double kinetic_energy = 0;     ///< J
+  ContactReport contacts;
+  StageSeconds seconds;
+  std::string failure;  ///< not empty: the step failed; what, where; the state is unchanged
+};
+
+/// Adds the time from its construction to its destruction to a stage.
+class StageTimer {
+ public:
+  explicit StageTimer(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
+  ~StageTimer() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& seconds_;
+  Clock::time_point start_;
+};
+
+}  // namespace ringlet

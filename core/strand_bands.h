@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/strand_groups.h"
+#include "core/vector3.h"
+
+namespace ringlet {
+
+/// No stencil reaches further along a strand than four vertices.
+inline constexpr int band_blocks = 4;
+
+/// The symmetric block-banded matrices of the eight strands of a group. The lower triangle is
+/// stored: block(i, k) is the 3x3 block at (row i, column i - k), k = 0..3. Blocks that would lie
+/// outside the matrix (k > i) are not used. A view.
+class GroupBands {
+ public:
+  GroupBands() = default;
+  explicit GroupBands(std::span<Matrix3<Pack>> blocks) : blocks_(blocks) {}
+
+  bool empty() const { return blocks_.empty(); }
+  int rows() const { return static_cast<int>(blocks_.size()) / band_blocks; }
+  Matrix3<Pack>& block(int row, int offset) const { return blocks_[row * band_blocks + offset]; }
+  std::span<Matrix3<Pack>> blocks() const { return blocks_; }
+
+ private:
+  std::span<Matrix3<Pack>> blocks_;
+};
+
+/// The bands of all groups.
+class StrandBands {
+ public:
+  StrandBands() = default;
+  explicit StrandBands(const StrandGroups& groups)
+      : groups_(&groups), blocks_(groups.rows() * band_blocks, Matrix3<Pack>::zero()) {}
+
+  const StrandGroups& groups() const { return *groups_; }
+  GroupBands group(int g) {
+    const StrandGroup& group = (*groups_)[g];
+    return GroupBands(
+        std::span(blocks_).subspan(group.first_row * band_blocks, group.vertices * band_blocks));
+  }
+  const Matrix3<Pack>& block(int row, int offset) const {
+    return blocks_[row * band_blocks + offset];
+  }
+  std::size_t bytes() const { return blocks_.capacity() * sizeof(Matrix3<Pack>); }
+
+ private:
+  const StrandGroups* groups_ = nullptr;
+  std::vector<Matrix3<Pack>> blocks_;
+};
+
+/// y += A x for the strands of one group.
+void add_band_product(const StrandBands& bands, int group, std::span<const Vector3<Pack>> x,
+                      std::span<Vector3<Pack>> y);
+
+}  // namespace ringlet

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/lanes.h"
+#include "core/strands.h"
+
+namespace ringlet {
+
+/// Eight strands side by side, one a lane.
+struct StrandGroup {
+  int first_row;                        ///< row of their root vertices
+  int vertices;                         ///< of the longest of them: the rows of the group
+  std::array<int, lane_count> strands;  ///< -1: a pad lane
+};
+
+/// Where a vertex lives in lane order.
+struct LaneSlot {
+  int row;
+  int lane;
+};
+
+/// The order in which strands are computed: groups of eight, longest strands first so that the
+/// members of a group are about equally long. A row holds one vertex of each of the eight. Lanes
+/// without a strand and rows behind the tip of a shorter strand are pads: they carry a benign
+/// geometry, no stiffness, and identity in the system matrix.
+class StrandGroups {
+ public:
+  explicit StrandGroups(const Strands& strands);
+
+  int count() const { return static_cast<int>(groups_.size()); }
+  int rows() const { return rows_; }
+  const StrandGroup& operator[](int group) const { return groups_[group]; }
+  LaneSlot slot(int vertex) const { return slots_[vertex]; }
+  int vertex_count() const { return static_cast<int>(slots_.size()); }
+  int group_of(int vertex) const { return group_of_row_[slots_[vertex].row]; }
+  /// The vertex at a place of a group, or -1 for a pad.
+  int vertex_at(int row, int lane) const { return vertex_at_[row * lane_count + lane]; }
+
+ private:
+  std::vector<StrandGroup> groups_;
+  std::vector<LaneSlot> slots_;
+  std::vector<int> group_of_row_;
+  std::vector<int> vertex_at_;
+  int rows_ = 0;
+};
+
+}  // namespace ringlet

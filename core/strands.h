@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "core/material.h"
+
+namespace ringlet {
+
+/// What a strand source makes: polylines in their rest shape, and how each is held.
+struct StrandSet {
+  std::vector<int> vertex_counts;          ///< vertices of each strand, root first, >= 2
+  std::vector<Eigen::Vector3d> positions;  ///< all vertices, strand after strand, m
+  std::vector<int> pinned_counts;          ///< of each strand: pinned vertices from the root
+  std::vector<std::string> motions;        ///< of each strand: motion of its pins, "" = none
+};
+
+/// The strands of a scene: topology, rest shape, radii and masses. Immutable. Vertices are numbered
+/// strand after strand from root to tip; edge v joins the vertices v and v + 1 of one strand.
+class Strands {
+ public:
+  /// Throws Error if a strand has fewer than two vertices or a position is not finite.
+  Strands(std::vector<int> vertex_counts, std::vector<Eigen::Vector3d> rest_positions,
+          const Material& material);
+
+  int count() const { return static_cast<int>(first_.size()) - 1; }
+  int vertex_count() const { return first_.back(); }
+  int edge_count() const { return vertex_count() - count(); }
+  /// The first vertex of a strand; first(count()) is vertex_count().
+  int first(int strand) const { return first_[strand]; }
+  int size(int strand) const { return first_[strand + 1] - first_[strand]; }
+  int strand_of(int vertex) const { return strand_of_[vertex]; }
+
+  const Material& material() const { return material_; }
+  const Eigen::Vector3d& rest_position(int vertex) const { return rest_positions_[vertex]; }
+  /// Rest length of the edge from this vertex to the next on its strand, m; 0 at a tip.
+  double rest_length(int vertex) const { return rest_lengths_[vertex]; }
+  /// Half of the rest lengths of the edges that meet at a vertex, m.
+  double voronoi_length(int vertex) const;
+  double radius(int vertex) const { return radii_[vertex]; }  ///< m
+  double mass(int vertex) const { return masses_[vertex]; }   ///< lumped, kg
+  /// Rest length of a whole strand, m.
+  double strand_length(int strand) const;
+
+ private:
+  void measure_lengths();
+  void taper_radii();
+  void lump_masses();
+
+  Material material_;
+  std::vector<int> first_;
+  std::vector<int> strand_of_;
+  std::vector<Eigen::Vector3d> rest_positions_;
+  std::vector<double> rest_lengths_;
+  std::vector<double> radii_;
+  std::vector<double> masses_;
+};
+
+}  // namespace ringlet

@@ -1,0 +1,28 @@
+#include "core/system_matrix.h"
+
+#include <algorithm>
+
+#include "core/parallel.h"
+
+namespace ringlet {
+
+void multiply(const SystemMatrix& a, const VertexField& x, VertexField& y) {
+  parallel_for_each(a.groups().count(), [&](int g) {
+    const auto rows = y.group(g);
+    std::fill(rows.begin(), rows.end(), Vector3<Pack>{0, 0, 0});
+    add_band_product(a.bands, g, x.group(g), rows);
+    if (a.couples_strands()) a.couplings.add_product(g, x, y);
+  });
+}
+
+void pin_rows(GroupBands bands, std::span<const Pack> free) {
+  for (int i = 0; i < bands.rows(); ++i) {
+    for (int k = 0; k <= std::min(i, band_blocks - 1); ++k) {
+      const Pack both = free[i] * free[i - k];
+      bands.block(i, k) = both * bands.block(i, k);
+    }
+    for (int c = 0; c < 3; ++c) bands.block(i, 0)(c, c) += 1 - free[i];
+  }
+}
+
+}  // namespace ringlet
