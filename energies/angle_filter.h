@@ -1,0 +1,75 @@
+#pragma once
+
+// Any energy Psi of an angle theta between two vectors, per unit stiffness (math.md, section 2).
+//
+// Each vector t_i of length l_i has its unit tangent and the unit vector b_i normal to it in the
+// plane of the two, such that dtheta/dt_0 = b_0 / l_0 and dtheta/dt_1 = -b_1 / l_1. With g =
+// Psi'(theta) and h = Psi''(theta) the Hessian in that plane has four eigenpairs, two and two of
+// opposite sign; with r = sqrt(h^2 + g^2):
+//
+//     h +- r    (g t0 - (h +- r) b0, g t1 + (h +- r) b1)
+//     +-|g|     (t0 -+ s b0, -t1 -+ s b1),  s the sign of g
+
+#include <algorithm>
+#include <array>
+
+#include "core/element.h"
+
+namespace ringlet {
+
+/// Square of the length, m^2, at or below which an edge of an element has collapsed: it has no
+/// direction, hence the element no angle. Relative to the shortest rest length of the element; the
+/// absolute bound, far below any strand, keeps products of squares from underflow.
+inline double collapsed_squared_length(double shortest_rest_length) {
+  const double length = std::max(1e-8 * shortest_rest_length, 1e-20);
+  return length * length;
+}
+
+/// Positive and negative part of the 2x2 matrix [[0, g], [g, 2h]]:
+/// weight (g, positive)(g, positive)^T - weight (g, negative)(g, negative)^T.
+template <class S>
+struct SplitPair {
+  S weight, positive, negative;
+};
+
+template <class S>
+SplitPair<S> split_pair(const S& g, const S& h) {
+  const S radius = sqrt(h * h + g * g);
+  // Where both vanish so do the vectors; the weight must stay finite, also times a stiffness.
+  const S weight = S(0.5) / max(radius, S(1e-150));
+  return {weight, h + radius, h - radius};
+}
+
+/// Tangents and normals in the plane of an angle, each divided by the length of its vector.
+template <class S>
+struct AnglePlane {
+  Vector3<S> t0, b0, t1, b1;
+};
+
+/// The matrix weight (q0, q1)(q0, q1)^T over the two vectors of an angle.
+template <class S>
+struct PairTerm {
+  S weight;
+  Vector3<S> q0, q1;
+};
+
+/// The in-plane Hessian: its positive part, two terms, and if `terms` has room for four, the
+/// negative part behind it.
+template <class S, std::size_t N>
+std::array<PairTerm<S>, N> in_plane_terms(const AnglePlane<S>& plane, const S& g, const S& h) {
+  static_assert(N == 2 || N == 4);
+  const auto& [t0, b0, t1, b1] = plane;
+  const SplitPair<S> split = split_pair(g, h);
+  const S sign = copysign(S(1), g);
+  const S half_weight = S(0.5) * split.weight, quarter_g = S(0.25) * abs(g);
+  std::array<PairTerm<S>, N> terms;
+  terms[0] = {half_weight, g * t0 - split.positive * b0, g * t1 + split.positive * b1};
+  terms[1] = {quarter_g, t0 - sign * b0, -t1 - sign * b1};
+  if constexpr (N == 4) {
+    terms[2] = {-half_weight, g * t0 - split.negative * b0, g * t1 + split.negative * b1};
+    terms[3] = {-quarter_g, t0 + sign * b0, sign * b1 - t1};
+  }
+  return terms;
+}
+
+}  // namespace ringlet

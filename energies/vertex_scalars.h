@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/vertex_field.h"
+
+namespace ringlet {
+
+/// value(vertex) of every vertex in lane order; 0 on pads.
+template <class Value>
+VertexScalars vertex_scalars(const StrandGroups& groups, const Value& value) {
+  VertexScalars scalars(groups.rows(), Pack(0));
+  for (int vertex = 0; vertex < groups.vertex_count(); ++vertex) {
+    const auto [row, lane] = groups.slot(vertex);
+    scalars[row][lane] = value(vertex);
+  }
+  return scalars;
+}
+
+}  // namespace ringlet
