@@ -54,8 +54,9 @@ function(ringlet_own_code target)
     target_compile_options(${target} PRIVATE -Wno-uninitialized -Wno-maybe-uninitialized)
   endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    # GCC bug 105651: a false alarm at every "text" + std::string.
-    target_compile_options(${target} PRIVATE -Wno-restrict)
+    # GCC bug 105651: false alarms at "text" + std::string.
+    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow
+                                             -Wno-array-bounds)
   endif()
   if(RINGLET_WERROR)
     target_compile_options(${target} PRIVATE -Werror)

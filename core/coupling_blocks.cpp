@@ -48,9 +48,14 @@ bool CouplingBlocks::fit_into_band(int i, int j) const {
   return on_one_strand(i, j) && std::abs(groups_->slot(i).row - groups_->slot(j).row) < band_blocks;
 }
 
-int CouplingBlocks::place(int vertex) const {
-  const auto [row, lane] = groups_->slot(vertex);
-  return row * lane_count + lane;
+void CouplingBlocks::refer(int row, int column, int entry, bool transposed) {
+  const auto place = [&](int vertex) {
+    const auto [slot_row, lane] = groups_->slot(vertex);
+    return std::int64_t{slot_row} * lane_count + lane;
+  };
+  const std::int64_t places = std::int64_t{groups_->rows()} * lane_count;
+  group_blocks_[groups_->group_of(row)].references.push_back(
+      {place(row) * places + place(column), entry, transposed});
 }
 
 void CouplingBlocks::finish(const VertexScalars& free) {
@@ -63,8 +68,8 @@ void CouplingBlocks::finish(const VertexScalars& free) {
     if (entry.in_band) {
       group_blocks_[groups_->group_of(entry.i)].in_band.push_back(e);
     } else if (is_free(entry.i) && is_free(entry.j)) {
-      group_blocks_[groups_->group_of(entry.i)].references.push_back({e, false});
-      group_blocks_[groups_->group_of(entry.j)].references.push_back({e, true});
+      refer(entry.i, entry.j, e, false);
+      refer(entry.j, entry.i, e, true);
     }
   }
   parallel_for_each(groups_->count(), [&](int g) { sum_off_band(group_blocks_[g]); });
@@ -74,28 +79,20 @@ void CouplingBlocks::finish(const VertexScalars& free) {
 }
 
 void CouplingBlocks::sum_off_band(GroupBlocks& group) const {
-  const auto row_of = [&](const Reference& r) {
-    return r.transposed ? entries_[r.entry].j : entries_[r.entry].i;
-  };
-  const auto column_of = [&](const Reference& r) {
-    return r.transposed ? entries_[r.entry].i : entries_[r.entry].j;
-  };
-  const auto key = [&](const Reference& r) {
-    return std::array{place(row_of(r)), place(column_of(r)), r.entry};
-  };
-  std::sort(group.references.begin(), group.references.end(),
-            [&](const Reference& a, const Reference& b) { return key(a) < key(b); });
+  std::sort(group.references.begin(), group.references.end());
+  std::int64_t last_key = -1;
   for (const Reference& reference : group.references) {
-    const int row = row_of(reference), column = column_of(reference);
-    Eigen::Matrix3d values = entries_[reference.entry].block;
+    const Entry& entry = entries_[reference.entry];
+    Eigen::Matrix3d values = entry.block;
     if (reference.transposed) values.transposeInPlace();
-    const bool again = !group.off_band.empty() && group.off_band.back().row == row &&
-                       group.off_band.back().column == column;
-    if (again) {
+    if (reference.key == last_key) {
       group.off_band.back().values += values;
+    } else if (reference.transposed) {
+      group.off_band.push_back({entry.j, entry.i, values});
     } else {
-      group.off_band.push_back({row, column, values});
+      group.off_band.push_back({entry.i, entry.j, values});
     }
+    last_key = reference.key;
   }
 }
 

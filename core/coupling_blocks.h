@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -56,10 +57,14 @@ class CouplingBlocks {
     bool in_band;
     Eigen::Matrix3d block;
   };
-  /// An entry as one group sees it: in its bands, or in a row of it outside the bands.
+  /// An entry as a row outside the bands sees it.
   struct Reference {
+    std::int64_t key;  ///< orders blocks by row and column in lane order
     int entry;
     bool transposed;
+    bool operator<(const Reference& other) const {
+      return key != other.key ? key < other.key : entry < other.entry;
+    }
   };
   struct Block {
     int row, column;  ///< vertices
@@ -72,7 +77,7 @@ class CouplingBlocks {
   };
   bool on_one_strand(int i, int j) const;
   bool fit_into_band(int i, int j) const;
-  int place(int vertex) const;
+  void refer(int row, int column, int entry, bool transposed);
   void sum_off_band(GroupBlocks& group) const;
 
   const StrandGroups* groups_ = nullptr;

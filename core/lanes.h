@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <experimental/simd>
 
@@ -26,9 +27,15 @@ using std::sqrt;
 /// condition ? a : b, for every scalar.
 inline double select(bool condition, double a, double b) { return condition ? a : b; }
 inline Pack select(const Mask& condition, const Pack& a, const Pack& b) {
+#if defined(__clang__) && defined(__AVX512F__)
+  // libstdc++ 12 with clang takes one lane's condition for all of them (_S_blend_avx512).
+  return Pack(_mm512_mask_blend_pd(std::bit_cast<__mmask8>(condition), static_cast<__m512d>(b),
+                                   static_cast<__m512d>(a)));
+#else
   Pack result = b;
   std::experimental::where(condition, result) = a;
   return result;
+#endif
 }
 
 inline bool any(bool condition) { return condition; }

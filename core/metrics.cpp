@@ -23,9 +23,10 @@ std::vector<Metric> list_energies(const std::vector<std::string>& types) {
   std::vector<Metric> metrics;
   for (std::size_t i = 0; i < types.size(); ++i) {
     const auto earlier = std::count(types.begin(), types.begin() + static_cast<long>(i), types[i]);
-    const std::string suffix = earlier == 0 ? "" : "_" + std::to_string(earlier + 1);
-    metrics.push_back({"energy_" + types[i] + suffix,
-                       [i](const StepSample& sample) { return sample.report.energies.at(i); }});
+    std::string name = "energy_" + types[i];
+    if (earlier > 0) name.append("_").append(std::to_string(earlier + 1));
+    metrics.push_back(
+        {std::move(name), [i](const StepSample& sample) { return sample.report.energies.at(i); }});
   }
   return metrics;
 }
