@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "core/vector3.h"
+
+namespace ringlet {
+
+/// The inverse of the Cholesky factor of eight symmetric 3x3 matrices side by side: with S = L L^T,
+/// T = L^-1 is lower triangular. Entries 00, 10, 11, 20, 21, 22.
+struct InverseTriangle {
+  std::array<Pack, 6> t;
+};
+
+/// Factors the symmetric matrix whose lower triangle is s (entries as above). Sets the lanes of
+/// `bad` in which a pivot is not positive and finite; the result is not usable there.
+inline InverseTriangle inverse_cholesky(const std::array<Pack, 6>& s, Mask& bad) {
+  const Pack largest = std::numeric_limits<double>::max();
+  const auto inverse_root = [&](const Pack& pivot) {
+    bad = bad || !(pivot > 0 && pivot <= largest);
+    return Pack(1 / sqrt(pivot));
+  };
+  const Pack t00 = inverse_root(s[0]);
+  const Pack l10 = s[1] * t00;
+  const Pack l20 = s[3] * t00;
+  const Pack t11 = inverse_root(s[2] - l10 * l10);
+  const Pack l21 = (s[4] - l20 * l10) * t11;
+  const Pack t22 = inverse_root(s[5] - l20 * l20 - l21 * l21);
+  const Pack t10 = -l10 * t00 * t11;
+  return {{t00, t10, t11, -(l20 * t00 + l21 * t10) * t22, -l21 * t11 * t22, t22}};
+}
+
+/// The lower triangle of a symmetric matrix.
+inline std::array<Pack, 6> lower_triangle(const Matrix3<Pack>& a) {
+  return {a(0, 0), a(1, 0), a(1, 1), a(2, 0), a(2, 1), a(2, 2)};
+}
+
+/// T v.
+inline Vector3<Pack> operator*(const InverseTriangle& a, const Vector3<Pack>& v) {
+  const auto& t = a.t;
+  return {t[0] * v.x, t[1] * v.x + t[2] * v.y, t[3] * v.x + t[4] * v.y + t[5] * v.z};
+}
+
+/// T^T v.
+inline Vector3<Pack> transpose_multiply(const InverseTriangle& a, const Vector3<Pack>& v) {
+  const auto& t = a.t;
+  return {t[0] * v.x + t[1] * v.y + t[3] * v.z, t[2] * v.y + t[4] * v.z, t[5] * v.z};
+}
+
+/// A T^T.
+inline Matrix3<Pack> times_transposed(const Matrix3<Pack>& a, const InverseTriangle& triangle) {
+  const auto& t = triangle.t;
+  Matrix3<Pack> product;
+  for (int r = 0; r < 3; ++r) {
+    product(r, 0) = a(r, 0) * t[0];
+    product(r, 1) = a(r, 0) * t[1] + a(r, 1) * t[2];
+    product(r, 2) = a(r, 0) * t[3] + a(r, 1) * t[4] + a(r, 2) * t[5];
+  }
+  return product;
+}
+
+}  // namespace ringlet

@@ -1,0 +1,176 @@
+#include <limits>
+
+#include "solvers/newton.h"
+#include "tests/catch.h"
+#include "tests/solvers/random_system.h"
+#include "tests/solvers/test_model.h"
+
+using namespace ringlet;
+
+namespace {
+
+/// Inertia hardly matters over so long a step, so that the energies decide.
+constexpr double long_step = 1;
+
+StepReport minimise(Model& model, const NewtonParameters& parameters, State& state, double dt) {
+  Newton newton(parameters);
+  newton.bind(model);
+  const VertexField target = state.positions;
+  StepReport report;
+  newton.minimise(model, IncrementalPotential(model, target, dt), dt, state.positions, report);
+  return report;
+}
+
+/// s (sqrt(1 + |x|^2 / s^2) - 1): Newton's method overshoots ever more from |x| > s.
+PointValue pseudo_huber(const Eigen::Vector3d& x, double s) {
+  const double root = std::sqrt(1 + x.squaredNorm() / (s * s));
+  const Eigen::Vector3d gradient = x / (s * root);
+  return {s * (root - 1), gradient,
+          Eigen::Matrix3d::Identity() / (s * root) - gradient * gradient.transpose() / (s * root)};
+}
+
+/// (|x|^2 - 1)^2 / 4, whose Hessian is indefinite within the unit sphere.
+PointValue double_well(const Eigen::Vector3d& x) {
+  const double u = x.squaredNorm() - 1;
+  return {u * u / 4, u * x, u * Eigen::Matrix3d::Identity() + 2 * x * x.transpose()};
+}
+
+double largest_distance_from(const VertexField& field, const Eigen::Vector3d& point) {
+  return (field.matrix().colwise() - point).colwise().norm().maxCoeff();
+}
+
+}  // namespace
+
+TEST_CASE("Newton solves a quadratic in one iteration") {
+  const bool line_search = GENERATE(true, false);
+  const auto model = make_model({4, 7, 3, 5, 6, 2, 8, 9, 5}, true);
+  add_energy(*model, std::make_unique<Springs>(20));
+  add_force(*model, std::make_unique<Weight>(Eigen::Vector3d(1, 2, -9.81)));
+  State state = rest_state(*model);
+  // The second iteration sees that nothing is left to do.
+  const StepReport report = minimise(
+      *model, {.newton_iterations = 5, .newton_tolerance = 1e-9, .line_search = line_search}, state,
+      0.01);
+  CHECK(report.failure.empty());
+  CHECK(report.newton_converged);
+  CHECK(report.newton_iterations == 2);
+  CHECK(report.newton_update < 1e-12);
+  CHECK(report.line_search_halvings == 0);
+  CHECK(report.linear_converged);
+  REQUIRE(report.energies.size() == 1);
+  CHECK(report.energies[0] > 0);
+}
+
+TEST_CASE("nothing to do is done at once") {
+  const auto model = make_model({4, 7}, true);
+  add_energy(*model, std::make_unique<Springs>(20));
+  State state = rest_state(*model);
+  const Eigen::Matrix3Xd before = state.positions.matrix();
+  const StepReport report = minimise(*model, {}, state, 0.01);
+  CHECK(report.newton_converged);
+  CHECK(report.newton_iterations == 1);
+  CHECK((state.positions.matrix() - before).cwiseAbs().maxCoeff() < 1e-15);
+}
+
+TEST_CASE("the line search tames an overshooting update") {
+  const auto model = make_model({4, 4}, false);
+  add_energy(*model, std::make_unique<PointEnergy>([](int, const Eigen::Vector3d& x) {
+    return pseudo_huber(x - Eigen::Vector3d(0, 0, 1), 0.2);
+  }));
+  State state = rest_state(*model);
+  const StepReport tamed =
+      minimise(*model, {.newton_iterations = 50, .newton_tolerance = 1e-12, .line_search = true},
+               state, long_step);
+  CHECK(tamed.failure.empty());
+  CHECK(tamed.newton_converged);
+  CHECK(tamed.line_search_halvings > 0);
+  CHECK(largest_distance_from(state.positions, {0, 0, 1}) < 1e-6);
+
+  State wild = rest_state(*model);
+  const StepReport untamed =
+      minimise(*model, {.newton_iterations = 50, .newton_tolerance = 1e-12, .line_search = false},
+               wild, long_step);
+  CHECK_FALSE((untamed.failure.empty() && untamed.newton_converged));
+}
+
+TEST_CASE("an indefinite Hessian is made definite with mass") {
+  const auto model = make_model({4, 5}, false);
+  add_energy(*model, std::make_unique<PointEnergy>(
+                         [](int, const Eigen::Vector3d& x) { return double_well(x); }));
+  for (const char* solver : {"strand_cholesky", "cholesky", "pcg", "jacobi"}) {
+    INFO(solver);
+    model->solver = make_solver(solver);
+    model->solver->bind(model->groups);
+    State state = rest_state(*model);
+    for (int v = 0; v < 9; ++v) state.positions.set(v, {0.1, 0.02 * v, -0.05});
+    const StepReport report =
+        minimise(*model, {.newton_iterations = 100, .newton_tolerance = 1e-11, .line_search = true},
+                 state, long_step);
+    CHECK(report.failure.empty());
+    CHECK(report.newton_converged);
+    for (int v = 0; v < 9; ++v) CHECK(state.positions.get(v).norm() == Approx(1));
+  }
+}
+
+TEST_CASE("a value that is not finite is never accepted") {
+  const auto model = make_model({4, 4}, false);
+  // A slope towards a cliff at z = 1: NaN behind it.
+  add_energy(*model, std::make_unique<PointEnergy>([](int, const Eigen::Vector3d& x) {
+    const double value = x.z() < 1 ? -x.z() : std::numeric_limits<double>::quiet_NaN();
+    return PointValue{value, -Eigen::Vector3d::UnitZ(), Eigen::Matrix3d::Zero()};
+  }));
+  State state = rest_state(*model);
+  const StepReport report = minimise(*model, {.newton_iterations = 20}, state, long_step);
+  CHECK(report.failure.empty());
+  CHECK_FALSE(report.newton_converged);
+  CHECK(report.line_search_halvings > 0);
+  CHECK(state.positions.matrix().row(2).maxCoeff() < 1);
+  CHECK(state.positions.matrix().row(2).maxCoeff() > 0.5);
+
+  State unguarded = rest_state(*model);
+  const StepReport failed =
+      minimise(*model, {.newton_iterations = 20, .line_search = false}, unguarded, long_step);
+  CHECK_THAT(failed.failure, Catch::Contains("energy 0"));
+}
+
+TEST_CASE("a failure says what and where") {
+  const auto model = make_model({4, 6}, false);
+  add_energy(*model, std::make_unique<Springs>(20));
+  add_energy(*model, std::make_unique<PointEnergy>([](int vertex, const Eigen::Vector3d&) {
+    const double value = vertex == 7 ? std::numeric_limits<double>::quiet_NaN() : 0;
+    return PointValue{0, Eigen::Vector3d::Constant(value), Eigen::Matrix3d::Zero()};
+  }));
+  State state = rest_state(*model);
+  const StepReport report = minimise(*model, {}, state, 0.01);
+  CHECK_THAT(report.failure, Catch::Contains("Newton iteration 1") &&
+                                 Catch::Contains("'energy 1'") &&
+                                 Catch::Contains("strand 1, vertex 3"));
+  CHECK_FALSE(report.newton_converged);
+}
+
+TEST_CASE("a gradient that lies is not followed") {
+  const auto model = make_model({4}, false);
+  add_energy(*model, std::make_unique<PointEnergy>([](int, const Eigen::Vector3d& x) {
+    return PointValue{x.z(), -Eigen::Vector3d::UnitZ(), Eigen::Matrix3d::Zero()};
+  }));
+  State state = rest_state(*model);
+  const Eigen::Matrix3Xd before = state.positions.matrix();
+  const StepReport report = minimise(*model, {}, state, 0.01);
+  CHECK(report.failure.empty());
+  CHECK_FALSE(report.newton_converged);
+  CHECK(report.newton_iterations == 1);
+  CHECK(state.positions.matrix() == before);
+}
+
+TEST_CASE("the iteration cap is reported") {
+  const auto model = make_model({4, 4}, false);
+  add_energy(*model, std::make_unique<PointEnergy>([](int, const Eigen::Vector3d& x) {
+    return pseudo_huber(x - Eigen::Vector3d(0, 0, 1), 0.2);
+  }));
+  State state = rest_state(*model);
+  const StepReport report =
+      minimise(*model, {.newton_iterations = 2, .newton_tolerance = 1e-12}, state, long_step);
+  CHECK(report.newton_iterations == 2);
+  CHECK_FALSE(report.newton_converged);
+  CHECK(report.newton_update > 0);
+}
