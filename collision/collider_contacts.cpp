@@ -1,0 +1,115 @@
+#include "collision/collider_contacts.h"
+
+#include "core/parallel.h"
+
+namespace ringlet {
+namespace {
+
+/// The proximities of no more points than a chunk has vertices, in a collider's own frame.
+struct Neighbourhood {
+  std::array<Eigen::Vector3d, chunk_edges + 1> points;
+  std::array<std::optional<Proximity>, chunk_edges + 1> found;
+
+  void ask(const Collider& collider, int count, double reach) {
+    found.fill(std::nullopt);
+    collider.near(std::span(points).first(count), reach, std::span(found).first(count));
+  }
+};
+
+}  // namespace
+
+void ColliderContacts::bind(const std::vector<EdgeChunk>& chunks, const Motions& motions) {
+  chunks_ = &chunks;
+  motions_ = &motions;
+  move_to(0);
+}
+
+void ColliderContacts::move_to(double time) {
+  placements_.clear();
+  for (const auto& collider : colliders_) {
+    placements_.push_back(motions_->at(collider->placement().motion.name, time));
+  }
+}
+
+std::vector<Pin> ColliderContacts::pins(std::span<const Eigen::Vector3d> positions) const {
+  std::vector<Pin> pins;
+  for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
+    const ColliderPlacement& placement = colliders_[c]->placement();
+    if (!placement.pins) continue;
+    for (const EdgeChunk& chunk : *chunks_) {
+      for (const int vertex : find_near(c, chunk, false, positions, 0)) {
+        pins.push_back({vertex, placement.motion.name});
+      }
+    }
+  }
+  return pins;
+}
+
+std::vector<int> ColliderContacts::find_near(int collider, const EdgeChunk& chunk, bool free_only,
+                                             std::span<const Eigen::Vector3d> positions,
+                                             double reach) const {
+  const Eigen::Isometry3d to_collider = placements_[collider].inverse();
+  Neighbourhood neighbourhood;
+  std::vector<int> vertices;
+  for (int v = chunk.first; v < chunk.first + chunk.vertices; ++v) {
+    if (free_only && !is_free_[v]) continue;
+    neighbourhood.points[vertices.size()] = to_collider * positions[v];
+    vertices.push_back(v);
+  }
+  const int count = static_cast<int>(vertices.size());
+  if (count == 0) return vertices;
+  neighbourhood.ask(*colliders_[collider], count, reach);
+  int kept = 0;
+  for (int n = 0; n < count; ++n) {
+    const auto& found = neighbourhood.found[n];
+    if (found && found->distance < reach) vertices[kept++] = vertices[n];
+  }
+  vertices.resize(kept);
+  return vertices;
+}
+
+void ColliderContacts::detect(std::span<const Eigen::Vector3d> positions) {
+  vertices_.clear();
+  batches_.clear();
+  std::vector<std::vector<int>> near(chunks_->size());
+  for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
+    parallel_for_each(static_cast<int>(chunks_->size()), [&](int n) {
+      near[n] = find_near(c, (*chunks_)[n], true, positions, penalty_.thickness + margin_);
+    });
+    for (const std::vector<int>& part : near) {
+      if (part.empty()) continue;
+      const int begin = candidate_count();
+      vertices_.insert(vertices_.end(), part.begin(), part.end());
+      batches_.push_back({c, begin, candidate_count()});
+    }
+  }
+}
+
+void ColliderContacts::evaluate(const VertexField& x, std::span<Contact> contacts) const {
+  parallel_for_each(static_cast<int>(batches_.size()),
+                    [&](int b) { evaluate_batch(batches_[b], x, contacts); });
+}
+
+void ColliderContacts::evaluate_batch(const Batch& batch, const VertexField& x,
+                                      std::span<Contact> contacts) const {
+  const Eigen::Isometry3d& placement = placements_[batch.collider];
+  const Eigen::Isometry3d to_collider = placement.inverse();
+  Neighbourhood neighbourhood;
+  const int count = batch.end - batch.begin;
+  for (int n = 0; n < count; ++n) {
+    neighbourhood.points[n] = to_collider * x.get(vertices_[batch.begin + n]);
+  }
+  neighbourhood.ask(*colliders_[batch.collider], count, penalty_.thickness);
+  for (int n = 0; n < count; ++n) {
+    const int vertex = vertices_[batch.begin + n];
+    Contact& contact = contacts[batch.begin + n];
+    contact = {{vertex, vertex, vertex, vertex}, {1, 0, 0, 0}, Eigen::Vector3d::UnitX(), 0, {}};
+    const auto& found = neighbourhood.found[n];
+    if (!found) continue;
+    contact.normal = placement.linear() * found->normal;
+    contact.depth = penalty_.thickness - found->distance;
+    contact.energy = penalty_.at(found->distance);
+  }
+}
+
+}  // namespace ringlet

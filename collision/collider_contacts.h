@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "collision/contact.h"
+#include "collision/edge_chunks.h"
+#include "core/collider.h"
+#include "core/collision_stage.h"
+
+namespace ringlet {
+
+/// Vertices against colliders, which motions place.
+class ColliderContacts {
+ public:
+  ColliderContacts(std::vector<std::unique_ptr<Collider>> colliders, Penalty penalty, double margin)
+      : colliders_(std::move(colliders)), penalty_(penalty), margin_(margin) {}
+
+  /// The arguments outlive this. Colliders stand where they are at time 0.
+  void bind(const std::vector<EdgeChunk>& chunks, const Motions& motions);
+  std::vector<Pin> pins(std::span<const Eigen::Vector3d> positions) const;
+  void set_free(std::vector<bool> is_free) { is_free_ = std::move(is_free); }
+  void move_to(double time);
+
+  /// Collects the free vertices nearer to a collider than thickness and margin.
+  void detect(std::span<const Eigen::Vector3d> positions);
+  int candidate_count() const { return static_cast<int>(vertices_.size()); }
+  /// Contacts of all candidates.
+  void evaluate(const VertexField& x, std::span<Contact> contacts) const;
+
+ private:
+  /// Candidates that a collider is asked about together.
+  struct Batch {
+    int collider;
+    int begin, end;  // in vertices_
+  };
+  void evaluate_batch(const Batch& batch, const VertexField& x, std::span<Contact> contacts) const;
+  /// Of a chunk's own vertices, those nearer to a collider than reach.
+  std::vector<int> find_near(int collider, const EdgeChunk& chunk, bool free_only,
+                             std::span<const Eigen::Vector3d> positions, double reach) const;
+
+  std::vector<std::unique_ptr<Collider>> colliders_;
+  Penalty penalty_;
+  double margin_;
+  const std::vector<EdgeChunk>* chunks_ = nullptr;
+  const Motions* motions_ = nullptr;
+  std::vector<bool> is_free_;
+  std::vector<Eigen::Isometry3d> placements_;  // of each collider's frame
+  std::vector<int> vertices_;
+  std::vector<Batch> batches_;
+};
+
+}  // namespace ringlet

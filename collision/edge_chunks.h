@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "collision/box_tree.h"
+#include "core/lanes.h"
+#include "core/strands.h"
+
+namespace ringlet {
+
+/// No chunk has more edges than there are lanes.
+inline constexpr int chunk_edges = lane_count;
+
+/// Some consecutive edges of one strand, of about equal number all along the strand.
+struct EdgeChunk {
+  int first;     ///< its first edge, which has the number of its first vertex
+  int edges;     ///< 1 to chunk_edges
+  int vertices;  ///< that it owns: those of its edges, but for the first of the next chunk
+};
+
+/// All edges of all strands, in order.
+std::vector<EdgeChunk> make_edge_chunks(const Strands& strands);
+
+/// The box around the edges of a chunk.
+BoundingBox bounding_box(const EdgeChunk& chunk, std::span<const Eigen::Vector3d> positions);
+
+}  // namespace ringlet

@@ -1,0 +1,133 @@
+// A collision stage on FCL's broad phase, with the quadratic penalty of "Lifted Curls" (Shi, Wu,
+// Parr, Darke, Kim, SCA 2023):
+//
+//     E = k/2 (h - d)^2 for every pair of strand edges, and every vertex and collider, at d < h
+
+#include "collision/fcl_stage.h"
+
+#include "core/parallel.h"
+
+namespace ringlet {
+namespace {
+
+std::vector<std::unique_ptr<Collider>> make_all(const std::vector<Choice<Collider>>& choices) {
+  std::vector<std::unique_ptr<Collider>> colliders;
+  for (const auto& choice : choices) colliders.push_back(choice.make());
+  return colliders;
+}
+
+Contact evaluate_pair(const EdgePair& pair, const VertexField& x, const Penalty& penalty) {
+  const std::array<int, 4> vertices{pair.first, pair.first + 1, pair.second, pair.second + 1};
+  const SegmentGap gap =
+      segment_gap({x.get(vertices[0]), x.get(vertices[1]), x.get(vertices[2]), x.get(vertices[3])});
+  return {vertices, gap.weights, gap.normal, penalty.thickness - gap.distance,
+          penalty.at(gap.distance)};
+}
+
+}  // namespace
+
+Schema<FclStageParameters> FclStageParameters::schema() {
+  using P = FclStageParameters;
+  return Schema<P>()
+      .key("thickness", &P::thickness, "m", positive(),
+           "distance below which the centre lines of two strands push each other apart")
+      .key("stiffness", &P::stiffness, "N/m", at_least(0), "of the penalty, per contact")
+      .key("strand_contacts", &P::strand_contacts, "", any_number(),
+           "whether strands feel each other and themselves")
+      .key(
+          "arc_distance", &P::arc_distance, "m", at_least(0),
+          "two edges of one strand with less arc between them do not touch; twice the thickness if "
+          "absent")
+      .key("collider_thickness", &P::collider_thickness, "m", positive(),
+           "distance below which a collider pushes a vertex away; half the thickness if absent")
+      .key("collider_stiffness", &P::collider_stiffness, "N/m", at_least(0),
+           "of the penalty against colliders, per vertex; that between strands if absent")
+      .key("margin", &P::margin, "m", at_least(0),
+           "candidates are collected this much further than the thickness, so that they last while "
+           "strands move; half the thickness if absent")
+      .key("detect", &P::detect, "", any_number(), "when candidates are collected anew")
+      .key("colliders", &P::colliders, "", any_number(), "rigid bodies that strands may touch")
+      .check([](P& p, const std::string&, ParseContext&) {
+        p.arc_distance = p.arc_distance.value_or(2 * p.thickness);
+        p.collider_thickness = p.collider_thickness.value_or(p.thickness / 2);
+        p.collider_stiffness = p.collider_stiffness.value_or(p.stiffness);
+        p.margin = p.margin.value_or(p.thickness / 2);
+      });
+}
+
+FclStage::FclStage(const FclStageParameters& parameters)
+    : parameters_(parameters),
+      strand_penalty_{parameters.thickness, parameters.stiffness},
+      collider_contacts_(make_all(parameters.colliders),
+                         {*parameters.collider_thickness, *parameters.collider_stiffness},
+                         *parameters.margin) {}
+
+void FclStage::bind(const Strands& strands, const StrandGroups& groups, const Motions& motions) {
+  groups_ = &groups;
+  chunks_ = make_edge_chunks(strands);
+  collider_contacts_.bind(chunks_, motions);
+  positions_.resize(strands.vertex_count());
+  if (!parameters_.strand_contacts) return;
+  rule_.emplace(strands, *parameters_.arc_distance);
+  search_.emplace(chunks_, *rule_, parameters_.thickness + *parameters_.margin);
+}
+
+std::vector<Pin> FclStage::pins(const std::vector<Eigen::Vector3d>& positions) const {
+  return collider_contacts_.pins(positions);
+}
+
+void FclStage::set_free(const VertexScalars& free) {
+  std::vector<bool> is_free(groups_->vertex_count());
+  for (int v = 0; v < groups_->vertex_count(); ++v) {
+    const auto [row, lane] = groups_->slot(v);
+    is_free[v] = free[row][lane] != 0;
+  }
+  if (rule_) rule_->set_free(is_free);
+  collider_contacts_.set_free(std::move(is_free));
+}
+
+void FclStage::begin_step(const VertexField&, double time_end, double) {
+  collider_contacts_.move_to(time_end);
+  candidates_are_old_ = true;
+}
+
+void FclStage::detect(const VertexField& x) {
+  if (parameters_.detect == DetectWhen::step && !candidates_are_old_) return;
+  candidates_are_old_ = false;
+  parallel_for_each(static_cast<int>(positions_.size()), [&](int v) { positions_[v] = x.get(v); });
+  if (search_) pairs_ = search_->find(positions_);
+  collider_contacts_.detect(positions_);
+}
+
+void FclStage::evaluate(const VertexField& x) {
+  contacts_.resize(pairs_.size() + collider_contacts_.candidate_count());
+  parallel_for_each(static_cast<int>(pairs_.size()),
+                    [&](int p) { contacts_[p] = evaluate_pair(pairs_[p], x, strand_penalty_); });
+  collider_contacts_.evaluate(x, std::span(contacts_).subspan(pairs_.size()));
+}
+
+double FclStage::add(const VertexField& x, VertexField* gradient, CouplingBlocks* hessian) {
+  evaluate(x);
+  report_ = {};
+  double energy = 0;
+  for (std::size_t n = 0; n < contacts_.size(); ++n) {
+    const Contact& contact = contacts_[n];
+    if (!contact.touches()) continue;
+    energy += contact.energy.value;
+    contact.add(gradient, hessian);
+    ++(n < pairs_.size() ? report_.strand_contacts : report_.collider_contacts);
+    report_.penetration = std::max(report_.penetration, contact.depth);
+  }
+  return energy;
+}
+
+void register_fcl_stage(Registry& registry);
+void register_fcl_stage(Registry& registry) {
+  registry.of<CollisionStage>().add<FclStageParameters>(
+      "fcl",
+      {"contacts between strands, found by FCL, and with colliders, resisted by a penalty",
+       "k/2 (h - d)^2 for d < h", "Shi et al., Lifted Curls, SCA 2023"},
+      [](const FclStageParameters& parameters) { return std::make_unique<FclStage>(parameters); });
+}
+
+}  // namespace ringlet

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "collision/collider_contacts.h"
+#include "collision/edge_pair_search.h"
+#include "core/collision_stage.h"
+#include "core/registry.h"
+
+namespace ringlet {
+
+/// When candidate pairs are collected anew.
+enum class DetectWhen { iteration, step };
+
+template <>
+struct EnumNames<DetectWhen> {
+  static constexpr std::pair<DetectWhen, const char*> names[] = {
+      {DetectWhen::iteration, "iteration"}, {DetectWhen::step, "step"}};
+};
+
+struct FclStageParameters {
+  double thickness = 1e-3;
+  double stiffness = 2;
+  bool strand_contacts = true;
+  std::optional<double> arc_distance;
+  std::optional<double> collider_thickness;
+  std::optional<double> collider_stiffness;
+  std::optional<double> margin;
+  DetectWhen detect = DetectWhen::iteration;
+  std::vector<Choice<Collider>> colliders;
+
+  static Schema<FclStageParameters> schema();
+};
+
+/// Contacts between strands, found with FCL, and between strands and colliders, resisted by a
+/// quadratic penalty.
+class FclStage final : public CollisionStage {
+ public:
+  explicit FclStage(const FclStageParameters& parameters);
+
+  void bind(const Strands& strands, const StrandGroups& groups, const Motions& motions) override;
+  std::vector<Pin> pins(const std::vector<Eigen::Vector3d>& positions) const override;
+  void set_free(const VertexScalars& free) override;
+  void begin_step(const VertexField& x_n, double time_end, double dt) override;
+  void detect(const VertexField& x) override;
+  double add(const VertexField& x, VertexField* gradient, CouplingBlocks* hessian) override;
+  ContactReport report() const override { return report_; }
+
+ private:
+  void evaluate(const VertexField& x);
+
+  FclStageParameters parameters_;
+  Penalty strand_penalty_;
+  ColliderContacts collider_contacts_;
+  const StrandGroups* groups_ = nullptr;
+  std::vector<EdgeChunk> chunks_;
+  std::optional<ContactRule> rule_;
+  std::optional<EdgePairSearch> search_;
+  bool candidates_are_old_ = true;
+  std::vector<Eigen::Vector3d> positions_;  // of the last detect()
+  std::vector<EdgePair> pairs_;             // candidates
+  std::vector<Contact> contacts_;           // of the pairs, then of the colliders
+  ContactReport report_;
+};
+
+}  // namespace ringlet
