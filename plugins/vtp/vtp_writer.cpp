@@ -1,0 +1,45 @@
+#include "plugins/vtp/vtp_writer.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "core/atomic_file.h"
+
+namespace ringlet {
+
+void VtpWriter::begin(const Model& model, const State& state, const std::filesystem::path& folder) {
+  folder_ = folder;
+  frames_.clear();
+  std::filesystem::create_directories(folder_ / "frames");
+  write_frame(model, state, 0);
+}
+
+void VtpWriter::observe(const Model& model, const State& state, int step, const StepReport&) {
+  if (step % parameters_.every == 0) write_frame(model, state, step);
+}
+
+void VtpWriter::end(const Model& model, const State& state, int step) {
+  if (frames_.back().step != step) write_frame(model, state, step);
+}
+
+void VtpWriter::write_frame(const Model& model, const State& state, int step) {
+  const std::string name = fmt::format("frames/frame_{:05}.vtp", step);
+  AtomicFile file(folder_ / name);
+  write_vtp(model.strands, state, parameters_.encoding, file.stream());
+  file.commit();
+  frames_.push_back({step, state.time, name});
+  write_index();
+}
+
+void VtpWriter::write_index() const {
+  AtomicFile file(folder_ / "run.pvd");
+  file.stream() << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n"
+                   "  <Collection>\n";
+  for (const Frame& frame : frames_) {
+    file.stream() << fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n",
+                                 frame.time, frame.file);
+  }
+  file.stream() << "  </Collection>\n</VTKFile>\n";
+  file.commit();
+}
+
+}  // namespace ringlet
