@@ -1,0 +1,23 @@
+#pragma once
+
+#include "apps/arguments.h"
+#include "core/registry.h"
+
+namespace ringlet {
+
+/// A command of the program; help and parsing both come from this.
+struct Command {
+  std::string name;
+  std::vector<std::string> operands;  ///< names for the help; [NAME] may be left out
+  std::string summary;                ///< one line
+  std::vector<Option> options;
+  /// Returns an exit code. Throws Error for bad input, before anything is written.
+  int (*run)(const Registry&, const Arguments&);
+};
+
+Command run_command();
+Command check_command();
+Command list_command();
+Command describe_command();
+
+}  // namespace ringlet

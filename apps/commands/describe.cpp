@@ -1,0 +1,64 @@
+#include <spdlog/fmt/fmt.h>
+
+#include <cstdio>
+
+#include "apps/commands/command.h"
+#include "apps/exit_codes.h"
+#include "core/scene.h"
+
+namespace ringlet {
+namespace {
+
+void print_key(const KeyInfo& key, int indent) {
+  std::string type = key.type;
+  if (!key.range.text().empty()) type += " " + key.range.text();
+  if (!key.unit.empty()) type += ", " + key.unit;
+  const std::string value = key.required ? "required" : "default " + key.default_value.dump();
+  fmt::print("{:{}}{:<18} {}; {}\n", "", indent, key.name, type, value);
+  fmt::print("{:{}}{:<18} {}\n", "", indent, "", key.meaning);
+}
+
+template <class Entry>
+void print_entry(const std::string& kind, const Entry& entry) {
+  fmt::print("{} ({})\n  {}\n", entry.name, kind, entry.description.text);
+  if (!entry.description.equation.empty()) {
+    fmt::print("  equation: {}\n", entry.description.equation);
+  }
+  if (!entry.description.source.empty()) fmt::print("  source: {}\n", entry.description.source);
+  fmt::print("{}", entry.keys.empty() ? "  no keys\n" : "  keys:\n");
+  for (const KeyInfo& key : entry.keys) print_key(key, 4);
+}
+
+void print_scene() {
+  fmt::print("scene (the whole file)\n  keys:\n");
+  for (const KeyInfo& key : Scene::schema().infos()) print_key(key, 4);
+}
+
+int describe(const Registry& registry, const Arguments& arguments) {
+  const std::string name = *arguments.operand(0);
+  std::vector<std::string> known{"scene"};
+  bool found = name == "scene";
+  if (found) print_scene();
+  registry.for_each_kind([&](const std::string& kind, const auto& catalogue) {
+    for (const auto& entry : catalogue.entries()) {
+      known.push_back(entry.name);
+      if (entry.name != name) continue;
+      found = true;
+      print_entry(kind, entry);
+    }
+  });
+  if (!found) throw Error("nothing is named '" + name + "'; " + did_you_mean(name, known));
+  return exit_ok;
+}
+
+}  // namespace
+
+Command describe_command() {
+  return {"describe",
+          {"NAME"},
+          "keys, units, defaults, equation and source of what `list` names, or of `scene`",
+          {},
+          describe};
+}
+
+}  // namespace ringlet

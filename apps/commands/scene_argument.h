@@ -1,0 +1,14 @@
+#pragma once
+
+#include "apps/arguments.h"
+#include "core/scene.h"
+
+namespace ringlet {
+
+/// The options of every command that reads a scene.
+std::vector<Option> scene_options();
+
+/// Reads the scene that the first operand names, changed as those options ask. Throws Error.
+Scene read_scene_argument(const Registry& registry, const Arguments& arguments);
+
+}  // namespace ringlet

@@ -1,0 +1,25 @@
+#include "apps/metrics_file.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "core/error.h"
+
+namespace ringlet {
+
+MetricsFile::MetricsFile(const std::filesystem::path& path, std::span<const Metric> metrics)
+    : path_(path), file_(path) {
+  std::vector<std::string> names;
+  for (const Metric& metric : metrics) names.push_back(metric.name);
+  write_line(fmt::format("{}\n", fmt::join(names, ",")));
+}
+
+void MetricsFile::append(std::span<const double> row) {
+  write_line(fmt::format("{}\n", fmt::join(row, ",")));
+}
+
+void MetricsFile::write_line(const std::string& line) {
+  file_ << line << std::flush;
+  if (!file_) throw Error("cannot write '" + path_.string() + "'");
+}
+
+}  // namespace ringlet

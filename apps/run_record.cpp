@@ -1,0 +1,102 @@
+#include "apps/run_record.h"
+
+#include <sys/resource.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "apps/build_info.h"
+
+namespace ringlet {
+namespace {
+
+std::int64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::int64_t{usage.ru_maxrss} * 1024;
+}
+
+// The arena of the main thread may be older than the limit that --threads sets.
+std::size_t thread_count() {
+  const std::size_t limit =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return std::min<std::size_t>(limit, tbb::this_task_arena::max_concurrency());
+}
+
+std::string status(const RunRecord& record) {
+  if (!record.failure.empty()) return "failed";
+  return record.interrupted ? "interrupted" : "finished";
+}
+
+Json milliseconds(const RunRecord& record) {
+  const StageSeconds& seconds = record.seconds;
+  return {{"detect", 1e3 * seconds.detect},
+          {"evaluate", 1e3 * seconds.evaluate},
+          {"solve", 1e3 * seconds.solve},
+          {"line_search", 1e3 * seconds.line_search},
+          {"steps", 1e3 * record.step_seconds}};
+}
+
+Json size_of(const Model& model) {
+  const int vertices = model.strands.vertex_count();
+  return {{"strands", model.strands.count()},
+          {"vertices", vertices},
+          {"pinned_vertices", model.pins.size()},
+          {"degrees_of_freedom", 3 * (static_cast<std::int64_t>(vertices) -
+                                      static_cast<std::int64_t>(model.pins.size()))}};
+}
+
+Json list_results(const std::vector<ExpectationResult>& results) {
+  Json list = Json::array();
+  for (const ExpectationResult& result : results) {
+    Json entry = Expectation::schema().write(result.expectation);
+    entry["value"] = result.value ? Json(*result.value) : Json();
+    entry["met"] = result.value ? Json(result.met()) : Json();
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace
+
+void RunRecord::add(const StepReport& report, double duration) {
+  ++steps;
+  step_seconds += duration;
+  seconds.detect += report.seconds.detect;
+  seconds.evaluate += report.seconds.evaluate;
+  seconds.solve += report.seconds.solve;
+  seconds.line_search += report.seconds.line_search;
+  newton_caps += report.newton_converged ? 0 : 1;
+  linear_caps += report.linear_converged ? 0 : 1;
+}
+
+bool RunRecord::met_expectations() const {
+  return std::all_of(expectations.begin(), expectations.end(),
+                     [](const ExpectationResult& result) { return !result.value || result.met(); });
+}
+
+Json summarise(const RunRecord& record, const Simulation& simulation) {
+  Json summary{{"scene", record.scene},
+               {"status", status(record)},
+               {"failure", record.failure},
+               {"steps", record.steps},
+               {"steps_wanted", record.steps_wanted},
+               {"simulated_seconds", simulation.state().time},
+               {"wall_seconds", record.wall_seconds},
+               {"steps_per_second", record.steps > 0 ? record.steps / record.wall_seconds : 0.0},
+               {"milliseconds", milliseconds(record)},
+               {"steps_newton_not_converged", record.newton_caps},
+               {"steps_linear_not_converged", record.linear_caps}};
+  summary.update(size_of(simulation.model()));
+  summary.update({{"peak_memory_bytes", peak_memory_bytes()},
+                  {"threads", thread_count()},
+                  {"version", build_info::version},
+                  {"compiler", build_info::compiler},
+                  {"build_type", build_info::build_type},
+                  {"expect", list_results(record.expectations)}});
+  return summary;
+}
+
+}  // namespace ringlet

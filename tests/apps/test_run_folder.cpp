@@ -1,0 +1,61 @@
+#include "tests/apps/program.h"
+#include "tests/catch.h"
+
+using namespace ringlet;
+
+TEST_CASE("no results are ever written over") {
+  const Workplace place;
+  const std::string scene = place.write("s.json", small_scene().dump());
+  const auto run = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{"run", scene, "--steps", "1"};
+    words.insert(words.end(), options.begin(), options.end());
+    return place.run(words).exit_code;
+  };
+  CHECK(run({}) == 0);
+  CHECK(run({}) == 0);
+  CHECK(std::filesystem::exists(place.folder() / "results/s/summary.json"));
+  CHECK(std::filesystem::exists(place.folder() / "results/s_2/summary.json"));
+
+  std::filesystem::create_directory(place.folder() / "empty");
+  CHECK(run({"-o", "empty"}) == 0);
+  CHECK(run({"-o", "empty"}) == 2);
+  CHECK(run({"-o", "new/deep"}) == 0);
+  CHECK(run({"-o", "s.json"}) == 2);
+  CHECK(read_text(place.folder() / "s.json") == small_scene().dump());
+}
+
+TEST_CASE("metrics and summary tell what happened") {
+  const Workplace place;
+  const std::string scene = place.write("s.json", small_scene().dump());
+  const ProgramResult result =
+      place.run({"run", scene, "-o", "out", "--threads", "1", "--set",
+                 R"(/energies=["stretch", "bending", "bending"])", "--set",
+                 R"(/integrator={"type": "bdf1", "newton_iterations": 1})"});
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.errors.find("hit its iteration cap in 6 of 6 steps") != std::string::npos);
+
+  const std::string text = read_text(place.folder() / "out/metrics.csv");
+  CHECK(text.substr(0, text.find('\n')) ==
+        "step,time,newton_iterations,newton_converged,newton_update,linear_iterations,"
+        "linear_converged,linear_residual,line_search_halvings,kinetic_energy,energy_stretch,"
+        "energy_bending,energy_bending_2,contacts,strand_contacts,collider_contacts,penetration,"
+        "mean_rest_distance,max_rest_distance,detect_ms,evaluate_ms,solve_ms,line_search_ms,"
+        "step_ms");
+  const auto metrics = read_metrics(place.folder() / "out/metrics.csv");
+  CHECK(metrics.at("step") == std::vector<double>{1, 2, 3, 4, 5, 6});
+  CHECK(metrics.at("time").back() == Approx(0.2));
+  CHECK(metrics.at("energy_bending").back() > 0);
+  CHECK(metrics.at("energy_bending").back() == metrics.at("energy_bending_2").back());
+  CHECK(metrics.at("mean_rest_distance").back() > metrics.at("mean_rest_distance").front());
+  CHECK(metrics.at("max_rest_distance").back() > metrics.at("mean_rest_distance").back());
+
+  const Json summary = Json::parse(read_text(place.folder() / "out/summary.json"));
+  CHECK(summary["status"] == "finished");
+  CHECK(summary["steps"] == 6);
+  CHECK(summary["strands"] == 20);
+  CHECK(summary["vertices"] == 300);
+  CHECK(summary["degrees_of_freedom"] == 3 * (300 - 80));
+  CHECK(summary["threads"] == 1);
+  CHECK(summary["steps_newton_not_converged"] == 6);
+  CHECK(summary["peak_memory_bytes"] > 1000000);
+}
