@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Eigenvalues>
 #include <cstring>
 
 #include "core/dual.h"
@@ -8,46 +7,12 @@
 
 namespace ringlet {
 
-inline double lane_value(double value, int) { return value; }
-inline double lane_value(const Pack& values, int lane) { return values[lane]; }
-inline void set_lane_value(double& target, int, double value) { target = value; }
-inline void set_lane_value(Pack& target, int lane, double value) { target[lane] = value; }
-
-/// Replaces the negative eigenvalues of the Hessian by zero, lane by lane, with a numeric
-/// eigensolver.
-template <class S, int K>
-void clamp_eigenvalues(Derivatives<S, K>& derivatives) {
-  using Dense = Eigen::Matrix<double, 3 * K, 3 * K>;
-  const auto entry = [&](int row, int column) -> S& {
-    return derivatives.block(row / 3, column / 3)(row % 3, column % 3);
-  };
-  constexpr int lanes = std::is_same_v<S, double> ? 1 : lane_count;
-  for (int lane = 0; lane < lanes; ++lane) {
-    Dense hessian;
-    for (int row = 0; row < 3 * K; ++row) {
-      for (int column = 0; column <= row; ++column) {
-        hessian(row, column) = lane_value(entry(row, column), lane);
-      }
-    }
-    const Eigen::SelfAdjointEigenSolver<Dense> solver(hessian);
-    const Dense clamped = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).asDiagonal() *
-                          solver.eigenvectors().transpose();
-    for (int row = 0; row < 3 * K; ++row) {
-      for (int column = 0; column < 3 * (row / 3 + 1); ++column) {
-        set_lane_value(entry(row, column), lane, clamped(row, column));
-      }
-    }
-  }
-}
-
-/// The derivatives of a kernel that gives only its value: the kernel is evaluated once with dual
-/// numbers over S. Filter::exact gives the Hessian as it is; any other clamps its eigenvalues
-/// numerically, which costs far more than a closed form.
+/// The exact derivatives of a kernel that gives only its value, which is evaluated once with dual
+/// numbers over S. Returns the value.
 template <class Kernel, class S>
 [[gnu::noinline]] S evaluate_by_autodiff(const Kernel& kernel,
                                          const Stencil<S, Kernel::vertices>& x,
                                          const typename Kernel::template Rest<S>& rest,
-                                         Filter filter,
                                          Derivatives<S, Kernel::vertices>& derivatives) {
   constexpr int K = Kernel::vertices;
   using Number = Dual<S, 3 * K>;
@@ -85,7 +50,6 @@ template <class Kernel, class S>
       }
     }
   }
-  if (filter != Filter::exact) clamp_eigenvalues(derivatives);
   return energy.value;
 }
 

@@ -8,14 +8,17 @@
 #include "core/autodiff.h"
 #include "core/element.h"
 #include "core/energy.h"
+#include "core/numeric_filter.h"
 #include "core/registry.h"
 
 namespace ringlet {
 
 template <>
 struct EnumNames<Filter> {
-  static constexpr std::pair<Filter, const char*> names[] = {{Filter::tight, "tight"},
-                                                             {Filter::exact, "exact"}};
+  static constexpr std::pair<Filter, const char*> names[] = {
+      {Filter::tight, "tight"}, {Filter::paper, "paper"},
+      {Filter::exact, "exact"}, {Filter::gauss_newton, "gauss_newton"},
+      {Filter::clamp, "clamp"}, {Filter::absolute, "absolute"}};
 };
 
 /// How the elements of a batch are computed: strands side by side in lanes, or one after the other
@@ -45,7 +48,7 @@ struct BatchOptions {
 /// Makes an Energy of a kernel: loops over the elements of a group, fills the lanes, and assembles
 /// gradient and bands. The author of an energy writes the kernel only.
 template <ElementKernel Kernel>
-class BatchEnergy final : public Energy {
+class BatchEnergy final : public Energy, public ElementFunction {
  public:
   static constexpr int K = Kernel::vertices;
 
@@ -68,6 +71,31 @@ class BatchEnergy final : public Energy {
   double add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const override {
     return options_.evaluation == Evaluation::lanes ? add_in_lanes(group, x, outputs)
                                                     : add_one_by_one(group, x, outputs);
+  }
+
+  const ElementFunction* element_function() const override {
+    return MeasureKernel<Kernel> ? this : nullptr;
+  }
+  int vertices() const override { return K; }
+  ElementDerivatives evaluate(const Eigen::Matrix3Xd& positions, double stiffness,
+                              double rest) const override {
+    ElementDerivatives result{0, Eigen::VectorXd(3 * K), Eigen::MatrixXd(3 * K, 3 * K)};
+    if constexpr (MeasureKernel<Kernel>) {
+      Stencil<double, K> x;
+      for (int n = 0; n < K; ++n) x[n] = from_eigen(positions.col(n));
+      Derivatives<double, K> derivatives;
+      result.value = evaluate_element(x, kernel_.rest_of(stiffness, rest), derivatives);
+      for (int row = 0; row < K; ++row) {
+        result.gradient.segment<3>(3 * row) = to_eigen(derivatives.gradient[row]);
+        for (int column = 0; column <= row; ++column) {
+          const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> block(
+              derivatives.block(row, column).m);
+          result.hessian.block<3, 3>(3 * row, 3 * column) = block;
+          result.hessian.block<3, 3>(3 * column, 3 * row) = block.transpose();
+        }
+      }
+    }
+    return result;
   }
 
  private:
@@ -115,22 +143,44 @@ class BatchEnergy final : public Energy {
     return rest;
   }
 
+  static constexpr bool has_closed_form = ClosedFormKernel<Kernel>;
+
+  /// What the kernel itself is asked for; filter_element() does the rest.
   template <Filter filter, class S>
-  S evaluate(const Stencil<S, K>& x, const Rest<S>& rest, Derivatives<S, K>& derivatives) const {
-    if constexpr (ClosedFormKernel<Kernel>) {
+  S evaluate_kernel(const Stencil<S, K>& x, const Rest<S>& rest,
+                    Derivatives<S, K>& derivatives) const {
+    if constexpr (has_closed_form) {
       return kernel_.evaluate(x, rest, filter, derivatives);
     } else {
-      return evaluate_by_autodiff(kernel_, x, rest, filter, derivatives);
+      return evaluate_by_autodiff(kernel_, x, rest, derivatives);
     }
+  }
+  template <class S>
+  void filter_element(Derivatives<S, K>& derivatives) const {
+    const bool unfiltered = !has_closed_form && options_.filter != Filter::exact;
+    if (unfiltered || is_numeric(options_.filter)) {
+      filter_eigenvalues(options_.filter, derivatives);
+    }
+  }
+  /// use.template operator()<F>() with the filter F that the kernel is asked for.
+  template <class Use>
+  auto with_kernel_filter(const Use& use) const {
+    if constexpr (has_closed_form) {
+      if (options_.filter == Filter::tight) return use.template operator()<Filter::tight>();
+      if (options_.filter == Filter::paper) return use.template operator()<Filter::paper>();
+      if (options_.filter == Filter::gauss_newton) {
+        return use.template operator()<Filter::gauss_newton>();
+      }
+    }
+    return use.template operator()<Filter::exact>();
   }
 
   double add_in_lanes(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const {
     const Rest<Pack>* rest = &rest_[(*groups_)[group].first_row];
     const bool value_only = outputs.gradient.empty() && outputs.hessian.empty();
-    return sum_lanes(value_only ? add_values(rest, x)
-                     : options_.filter == Filter::exact
-                         ? add_derivatives<Filter::exact>(rest, x, outputs)
-                         : add_derivatives<Filter::tight>(rest, x, outputs));
+    if (value_only) return sum_lanes(add_values(rest, x));
+    return sum_lanes(with_kernel_filter(
+        [&]<Filter filter>() { return add_derivatives<filter>(rest, x, outputs); }));
   }
 
   // A kernel is made of small functions of wide vectors: a call left among them costs more than its
@@ -148,7 +198,8 @@ class BatchEnergy final : public Energy {
     Pack energy = 0;
     for (int i = 0; i + K <= static_cast<int>(x.size()); ++i) {
       Derivatives<Pack, K> derivatives;
-      energy += evaluate<filter>(window(x, i), rest[i], derivatives);
+      energy += evaluate_kernel<filter>(window(x, i), rest[i], derivatives);
+      if constexpr (filter == Filter::exact) filter_element(derivatives);
       scatter(derivatives, i, outputs);
     }
     return energy;
@@ -173,6 +224,14 @@ class BatchEnergy final : public Energy {
     }
   }
 
+  double evaluate_element(const Stencil<double, K>& x, const Rest<double>& rest,
+                          Derivatives<double, K>& derivatives) const {
+    const double energy = with_kernel_filter(
+        [&]<Filter filter>() { return evaluate_kernel<filter>(x, rest, derivatives); });
+    filter_element(derivatives);
+    return energy;
+  }
+
   double add_one_by_one(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const {
     const Rest<Pack>* rest = &rest_[(*groups_)[group].first_row];
     std::array<double, lane_count> energies{};
@@ -182,9 +241,7 @@ class BatchEnergy final : public Energy {
         for (int n = 0; n < K; ++n) stencil[n] = lane_of(x[i + n], lane);
         Derivatives<double, K> derivatives;
         const Rest<double> lane_rest = get_lane(rest[i], lane);
-        energies[lane] += options_.filter == Filter::exact
-                              ? evaluate<Filter::exact>(stencil, lane_rest, derivatives)
-                              : evaluate<Filter::tight>(stencil, lane_rest, derivatives);
+        energies[lane] += evaluate_element(stencil, lane_rest, derivatives);
         scatter_lane(derivatives, i, lane, outputs);
       }
     }
@@ -228,7 +285,15 @@ struct BatchParameters {
   static Schema<BatchParameters> schema() {
     return Schema<BatchParameters>()
         .include(&BatchParameters::kernel)
-        .include(&BatchParameters::options);
+        .include(&BatchParameters::options)
+        .check([](BatchParameters& parameters, const std::string& pointer, ParseContext& context) {
+          const Filter filter = parameters.options.filter;
+          if (ClosedFormKernel<Kernel> || is_numeric(filter)) return;
+          if (filter == Filter::tight || filter == Filter::exact) return;
+          context.problem(pointer_to(pointer, "filter"),
+                          "this energy gives only its value; expected one of tight, exact, clamp, "
+                          "absolute");
+        });
   }
 };
 

@@ -88,11 +88,21 @@ struct Derivatives {
   }
 };
 
-/// How an element's Hessian is made positive semi-definite (math.md, sections 2 and 3).
+/// How an element's Hessian is made positive semi-definite (math.md, sections 2 and 3). At rest all
+/// of them give the exact Hessian.
 enum class Filter {
-  tight,  ///< closed form; the positive part of every term, nothing more
+  tight,  ///< closed form, a majorant; of an energy that gives only its value: clamp
+  paper,  ///< the closed form of "Lifted Curls", a majorant, stiffer where twist is concerned
   exact,  ///< none: the exact Hessian, possibly indefinite
+  gauss_newton,  ///< closed form, no majorant: Psi'' grad grad^T of the measure, where Psi'' > 0
+  clamp,         ///< numeric: negative eigenvalues of the exact Hessian become 0
+  absolute,      ///< numeric: negative eigenvalues of the exact Hessian change their sign
 };
+
+/// What remains to be done by a numeric eigensolver.
+constexpr bool is_numeric(Filter filter) {
+  return filter == Filter::clamp || filter == Filter::absolute;
+}
 
 /// An energy of one element, written once for every scalar S. `Rest<S>` holds nothing but scalars
 /// S, one of them named `stiffness`, to which the energy is proportional. `rest` computes it for
@@ -108,13 +118,19 @@ concept ElementKernel = requires(const Kernel& kernel, const Stencil<double, Ker
 };
 
 /// A kernel that also gives its derivatives in closed form: returns the value, and writes gradient
-/// and filtered Hessian.
+/// and Hessian as the filter asks. It is never asked for a numeric filter.
 template <class Kernel>
 concept ClosedFormKernel = ElementKernel<Kernel> &&
     requires(const Kernel& kernel, const Stencil<double, Kernel::vertices>& x,
              const typename Kernel::template Rest<double>& rest, Filter filter,
              Derivatives<double, Kernel::vertices>& derivatives) {
   { kernel.evaluate(x, rest, filter, derivatives) } -> std::same_as<double>;
+};
+
+/// A kernel whose rest state follows from a stiffness and one number, its measure at rest.
+template <class Kernel>
+concept MeasureKernel = ElementKernel<Kernel> && requires(const Kernel& kernel, double number) {
+  { kernel.rest_of(number, number) } -> std::same_as<typename Kernel::template Rest<double>>;
 };
 
 }  // namespace ringlet

@@ -15,6 +15,24 @@ struct GroupOutputs {
   GroupBands hessian;
 };
 
+/// Everything about one element, dense.
+struct ElementDerivatives {
+  double value;              ///< J
+  Eigen::VectorXd gradient;  ///< with respect to the stacked positions, N
+  Eigen::MatrixXd hessian;   ///< N/m
+};
+
+/// One element of an energy by itself, for tools and tests.
+class ElementFunction {
+ public:
+  virtual ~ElementFunction() = default;
+  virtual int vertices() const = 0;
+  /// Value, gradient and filtered Hessian at positions (3 x vertices, m), of an element with the
+  /// given stiffness k, J, and its measure (length, angle) at rest.
+  virtual ElementDerivatives evaluate(const Eigen::Matrix3Xd& positions, double stiffness,
+                                      double rest) const = 0;
+};
+
 /// One term of the elastic potential of the strands: a function of their positions alone.
 class Energy {
  public:
@@ -27,6 +45,9 @@ class Energy {
   /// Hessian, made positive semi-definite by the energy's filter, where they are wanted.
   /// Called from several threads at once, for different groups.
   virtual double add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const = 0;
+
+  /// Its elements one by one; null where they do not follow from a stiffness and one rest value.
+  virtual const ElementFunction* element_function() const { return nullptr; }
 };
 
 }  // namespace ringlet

@@ -4,8 +4,8 @@ namespace ringlet {
 namespace {
 
 std::string describe(const std::vector<Problem>& problems) {
-  std::string text = std::to_string(problems.size()) +
-                     (problems.size() == 1 ? " problem in the scene:" : " problems in the scene:");
+  std::string text =
+      std::to_string(problems.size()) + (problems.size() == 1 ? " problem:" : " problems:");
   for (const Problem& problem : problems) {
     text += "\n  " + (problem.pointer.empty() ? "(whole file)" : problem.pointer) + ": " +
             problem.message;
@@ -15,7 +15,7 @@ std::string describe(const std::vector<Problem>& problems) {
 
 }  // namespace
 
-InvalidScene::InvalidScene(std::vector<Problem> problems)
+InvalidInput::InvalidInput(std::vector<Problem> problems)
     : Error(describe(problems)), problems_(std::move(problems)) {}
 
 }  // namespace ringlet

@@ -13,16 +13,16 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One thing wrong with a scene: the JSON pointer to it and what was expected there.
+/// One thing wrong with a JSON input: the JSON pointer to it and what was expected there.
 struct Problem {
   std::string pointer;
   std::string message;
 };
 
-/// Everything wrong with a scene, at once.
-class InvalidScene : public Error {
+/// Everything wrong with a scene or another JSON input, at once.
+class InvalidInput : public Error {
  public:
-  explicit InvalidScene(std::vector<Problem> problems);
+  explicit InvalidInput(std::vector<Problem> problems);
   const std::vector<Problem>& problems() const { return problems_; }
 
  private:

@@ -181,7 +181,7 @@ Scene read_scene(const Json& json, const Registry& registry, const std::filesyst
     context.problem("/plugins",
                     "loading plugin libraries is not supported; expected an empty list");
   }
-  if (!problems.empty()) throw InvalidScene(std::move(problems));
+  if (!problems.empty()) throw InvalidInput(std::move(problems));
   return scene;
 }
 

@@ -55,7 +55,7 @@ struct Scene {
 /// Parses a JSON file; // and /* */ comments are allowed. Throws Error with line and column.
 Json load_json(const std::filesystem::path& path);
 
-/// Reads a scene. Throws InvalidScene with every problem in it. Relative paths in the scene are
+/// Reads a scene. Throws InvalidInput with every problem in it. Relative paths in the scene are
 /// relative to folder.
 Scene read_scene(const Json& json, const Registry& registry, const std::filesystem::path& folder);
 

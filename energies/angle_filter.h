@@ -53,6 +53,12 @@ struct PairTerm {
   Vector3<S> q0, q1;
 };
 
+/// h grad grad^T, for h > 0.
+template <class S>
+PairTerm<S> gauss_newton_term(const AnglePlane<S>& plane, const S& h) {
+  return {max(h, S(0)), plane.b0, -plane.b1};
+}
+
 /// The in-plane Hessian: its positive part, two terms, and if `terms` has room for four, the
 /// negative part behind it.
 template <class S, std::size_t N>

@@ -32,6 +32,8 @@ struct Stretch {
     return {element.material.youngs_modulus * area * length, length};
   }
 
+  Rest<double> rest_of(double stiffness, double length) const { return {stiffness, length}; }
+
   template <class S>
   S value(const Stencil<S, 2>& x, const Rest<S>& rest) const {
     const S strain = norm(x[1] - x[0]) * (S(1) / rest.length) - S(1);
@@ -60,7 +62,8 @@ struct Stretch {
 
     const S along = rest.stiffness * inverse_rest * inverse_rest;
     S across = tension * inverse_length;
-    if (filter == Filter::tight) across = max(across, S(0));
+    if (filter == Filter::tight || filter == Filter::paper) across = max(across, S(0));
+    if (filter == Filter::gauss_newton) across = S(0);
     const Vector3<S> difference = (along - across) * t;
     const auto set = [&](int row, int column, const S& entry) {
       for (const int m : {3 * row + column, 3 * column + row}) {

@@ -5,79 +5,15 @@
 //
 // tau has no value where an end edge is parallel to the middle one. There the element fades: E is
 // multiplied by f(|u|/|e0|) f(|v|/|e2|), where f rises smoothly from 0 at 0 to 1 at the kernel's
-// parameter `fade`. The force is that of the faded energy; the Hessian is that of E times f,
-// without the derivatives of f. An element that lies in this range at rest is weaker by the same
-// factor.
+// parameter `fade`. An element that lies in this range at rest is weaker by the same factor.
 
 #include "core/batch_energy.h"
 #include "energies/angle_filter.h"
+#include "energies/dihedral.h"
 
 namespace ringlet {
 
 namespace {
-
-/// The edges of a dihedral, their parts normal to the middle one, and its torsion. Where an edge
-/// has collapsed, a benign dihedral without stiffness stands in for it.
-template <class S>
-struct Dihedral {
-  Vector3<S> e0, e1, e2;
-  S n0, n1, n2;  ///< squared lengths
-  S stiffness;   ///< 0 where the dihedral has collapsed
-  S inverse_length;
-  Vector3<S> d;     ///< e1 / |e1|
-  S a, c;           ///< e0 = u + a e1, e2 = v + c e1
-  Vector3<S> u, v;  ///< normal to e1
-  S uu, vv;         ///< squared lengths, never 0
-  S sine, cosine;   ///< of tau, times |u||v|
-  S torsion;        ///< tau
-
-  Dihedral(const Stencil<S, 4>& x, const S& given_stiffness, const S& shortest_squared)
-      : e0(x[0] - x[1]),
-        e1(x[2] - x[1]),
-        e2(x[3] - x[2]),
-        n0(squared_norm(e0)),
-        n1(squared_norm(e1)),
-        n2(squared_norm(e2)),
-        stiffness(given_stiffness) {
-    const auto collapsed =
-        n0 <= shortest_squared || n1 <= shortest_squared || n2 <= shortest_squared;
-    if (any(collapsed)) {
-      e0 = select(collapsed, Vector3<S>{S(0), S(1), S(0)}, e0);
-      e1 = select(collapsed, Vector3<S>{S(1), S(0), S(0)}, e1);
-      e2 = select(collapsed, Vector3<S>{S(0), S(0), S(1)}, e2);
-      n0 = select(collapsed, S(1), n0);
-      n1 = select(collapsed, S(1), n1);
-      n2 = select(collapsed, S(1), n2);
-      stiffness = select(collapsed, S(0), stiffness);
-    }
-    inverse_length = S(1) / sqrt(n1);
-    d = inverse_length * e1;
-    a = dot(e0, d) * inverse_length;
-    c = dot(e2, d) * inverse_length;
-    u = e0 - a * e1;
-    v = e2 - c * e1;
-    // Rounding is all that is left of u below this; its square must have an inverse.
-    constexpr double rounding = 1e-16;
-    uu = max(squared_norm(u), S(rounding * rounding) * n0);
-    vv = max(squared_norm(v), S(rounding * rounding) * n2);
-    sine = dot(d, cross(u, v));
-    cosine = dot(u, v);
-    torsion = atan2(sine, cosine);
-  }
-};
-
-/// f of one end, and its derivative with respect to the squared sine |u|^2 / |e0|^2.
-template <class S>
-struct Fade {
-  S value, derivative;
-
-  Fade(const S& squared_sine, double threshold) {
-    const double scale = 1 / (threshold * threshold);
-    const S s = min(scale * squared_sine, S(1));
-    value = s * s * (S(3) - S(2) * s);
-    derivative = S(6 * scale) * s * (S(1) - s);
-  }
-};
 
 struct Twist {
   struct Parameters {
@@ -107,10 +43,15 @@ struct Twist {
     const Dihedral<double> dihedral(element.positions, 1, shortest_squared);
     const double radius = 0.5 * (element.radii[1] + element.radii[2]);
     const double rigidity = element.material.shear() * circle_polar_moment(radius);
-    // A dihedral that has no torsion at rest has no stiffness.
-    const double length = dihedral.stiffness > 0 ? l1 : 1;
-    return {dihedral.stiffness * fade(dihedral) * rigidity / length, dihedral.torsion,
-            shortest_squared};
+    // A dihedral that has no torsion at rest, but for rounding, has no stiffness.
+    constexpr double rounding = 1e-12;
+    const double factor = dihedral.stiffness * fade(dihedral);
+    const double stiffness = factor > rounding ? factor * rigidity / l1 : 0;
+    return {stiffness, dihedral.torsion, shortest_squared};
+  }
+
+  Rest<double> rest_of(double stiffness, double torsion) const {
+    return {stiffness, torsion, collapsed_squared_length(0)};
   }
 
   template <class S>
@@ -124,22 +65,18 @@ struct Twist {
   template <class S>
   S evaluate(const Stencil<S, 4>& x, const Rest<S>& rest, Filter filter,
              Derivatives<S, 4>& derivatives) const {
-    Dihedral<S> dihedral(x, rest.stiffness, rest.shortest_squared);
+    const Dihedral<S> dihedral(x, rest.stiffness, rest.shortest_squared);
     const S g = wrap_angle(S(dihedral.torsion - rest.angle));
     const S energy = S(0.5) * dihedral.stiffness * g * g;
-    S faded = 1;
-    const bool fading = any(is_fading(dihedral));
-    if (fading) {
-      faded = fade(dihedral);
-      dihedral.stiffness = dihedral.stiffness * faded;
+    if (filter == Filter::tight) differentiate<Filter::tight>(dihedral, g, derivatives);
+    if (filter == Filter::paper) differentiate<Filter::paper>(dihedral, g, derivatives);
+    if (filter == Filter::exact) differentiate<Filter::exact>(dihedral, g, derivatives);
+    if (filter == Filter::gauss_newton) {
+      differentiate<Filter::gauss_newton>(dihedral, g, derivatives);
     }
-    if (filter == Filter::tight) {
-      differentiate<Filter::tight>(dihedral, g, derivatives);
-    } else {
-      differentiate<Filter::exact>(dihedral, g, derivatives);
-    }
-    if (fading) add_fade_gradient(dihedral, energy, derivatives);
-    return energy * faded;
+    const auto fading = is_fading(dihedral);
+    if (!any(fading) || !any(fading && dihedral.stiffness > S(0))) return energy;
+    return evaluate_fading(x, rest, filter, fading, energy, derivatives);
   }
 
  private:
@@ -148,37 +85,36 @@ struct Twist {
     const double squared = parameters.fade * parameters.fade;
     return dihedral.uu < squared * dihedral.n0 || dihedral.vv < squared * dihedral.n2;
   }
-  template <class S>
-  Fade<S> first_fade(const Dihedral<S>& dihedral) const {
-    return {dihedral.uu / dihedral.n0, parameters.fade};
-  }
-  template <class S>
-  Fade<S> last_fade(const Dihedral<S>& dihedral) const {
-    return {dihedral.vv / dihedral.n2, parameters.fade};
-  }
+  /// f of both ends.
   template <class S>
   S fade(const Dihedral<S>& dihedral) const {
-    return first_fade(dihedral).value * last_fade(dihedral).value;
+    const double scale = 1 / (parameters.fade * parameters.fade);
+    const auto rise = [&](const S& squared_sine) {
+      const S s = min(scale * squared_sine, S(1));
+      return s * s * (S(3) - S(2) * s);
+    };
+    return rise(dihedral.uu / dihedral.n0) * rise(dihedral.vv / dihedral.n2);
   }
 
-  /// gradient += energy d(f0 f2)/dx. |u|^2/|e0|^2 has the derivatives 2 (u - (|u|^2/|e0|^2)
-  /// e0)/|e0|^2 with respect to e0 and -2 a u/|e0|^2 with respect to e1.
-  template <class S>
-  void add_fade_gradient(const Dihedral<S>& dihedral, const S& energy,
-                         Derivatives<S, 4>& derivatives) const {
-    const Fade<S> first = first_fade(dihedral), last = last_fade(dihedral);
-    const S inverse_n0 = S(1) / dihedral.n0, inverse_n2 = S(1) / dihedral.n2;
-    const S weight0 = S(2) * energy * first.derivative * last.value * inverse_n0;
-    const S weight2 = S(2) * energy * last.derivative * first.value * inverse_n2;
-    const Vector3<S>& u = dihedral.u;
-    const Vector3<S>& v = dihedral.v;
-    const Vector3<S> by_e0 = weight0 * (u - (dihedral.uu * inverse_n0) * dihedral.e0);
-    const Vector3<S> by_e2 = weight2 * (v - (dihedral.vv * inverse_n2) * dihedral.e2);
-    const Vector3<S> by_e1 = -(weight0 * dihedral.a) * u - (weight2 * dihedral.c) * v;
-    derivatives.gradient[0] += by_e0;
-    derivatives.gradient[1] -= by_e0 + by_e1;
-    derivatives.gradient[2] += by_e1 - by_e2;
-    derivatives.gradient[3] += by_e2;
+  /// Where an element fades, its derivatives are those of the faded energy, filtered numerically:
+  /// slow, but strands are hardly ever so straight.
+  template <class S, class Condition>
+  [[gnu::noinline]] S evaluate_fading(const Stencil<S, 4>& x, const Rest<S>& rest, Filter filter,
+                                      const Condition& fading, const S& unfaded,
+                                      Derivatives<S, 4>& derivatives) const {
+    Derivatives<S, 4> faded;
+    const S energy = evaluate_by_autodiff(*this, x, rest, faded);
+    if (filter != Filter::exact) filter_eigenvalues(Filter::clamp, faded);
+    for (std::size_t n = 0; n < 4; ++n) {
+      derivatives.gradient[n] = select(fading, faded.gradient[n], derivatives.gradient[n]);
+    }
+    for (std::size_t i = 0; i < faded.hessian.size(); ++i) {
+      for (int m = 0; m < 9; ++m) {
+        S& entry = derivatives.hessian[i].m[m];
+        entry = select(fading, faded.hessian[i].m[m], entry);
+      }
+    }
+    return select(fading, energy, unfaded);
   }
 
   template <Filter filter, class S>
@@ -202,15 +138,24 @@ struct Twist {
     const S force = dihedral.stiffness * g;
     to_vertices(force * plane.b0, -force * plane.b1, derivatives.gradient);
 
-    constexpr std::size_t half = filter == Filter::tight ? 2 : 4;
-    std::array<RankOne<S, 4>, 2 * half> terms;
-    const auto in_plane = in_plane_terms<S, half>(plane, g, S(1));
-    for (std::size_t i = 0; i < half; ++i) {
-      terms[i].weight = in_plane[i].weight;
-      to_vertices(in_plane[i].q0, in_plane[i].q1, terms[i].q);
+    constexpr std::size_t half = filter == Filter::exact ? 4 : 2;
+    std::array<RankOne<S, 4>, filter == Filter::gauss_newton ? 1 : 2 * half> terms;
+    const auto set = [&](std::size_t i, const PairTerm<S>& pair) {
+      terms[i].weight = pair.weight;
+      to_vertices(pair.q0, pair.q1, terms[i].q);
+    };
+    if constexpr (filter == Filter::gauss_newton) {
+      set(0, gauss_newton_term(plane, S(1)));
+    } else {
+      const auto in_plane = in_plane_terms<S, half>(plane, g, S(1));
+      for (std::size_t i = 0; i < half; ++i) set(i, in_plane[i]);
+      const std::span<RankOne<S, 4>, half> axial(terms.data() + half, half);
+      if constexpr (filter == Filter::paper) {
+        set_paper_axial_terms(dihedral, sqrt(inverse_uu), sqrt(inverse_vv), g, axial);
+      } else {
+        set_axial_terms(dihedral, sqrt(inverse_uu), sqrt(inverse_vv), g, axial);
+      }
     }
-    set_axial_terms(dihedral, sqrt(inverse_uu), sqrt(inverse_vv), g,
-                    std::span<RankOne<S, 4>, half>(terms.data() + half, half));
     for (RankOne<S, 4>& term : terms) term.weight = dihedral.stiffness * term.weight;
     derivatives.set_hessian(terms);
   }
@@ -266,6 +211,38 @@ struct Twist {
     };
     set(0, f, 1, h, g_per_length * sine * half_inverse_m);
     set(1, cross(dihedral.d, f), -1, -h, g_per_length * m);
+  }
+
+  /// The same part as the paper filters it (math.md, section 3): with the eigenvalues -g s tan and
+  /// g s cot of half the angle between u and v, s the sign of tau, the positive one acts on
+  /// K = (kappa_u +- kappa_v) d as if u and v did not depend on e1, minus the negative one on what
+  /// that neglects, K - F. Both have a pole, where one of tan and cot has; kept finite.
+  template <class S>
+  static void set_paper_axial_terms(const Dihedral<S>& dihedral, const S& inverse_u,
+                                    const S& inverse_v, const S& g,
+                                    std::span<RankOne<S, 4>, 2> terms) {
+    constexpr double pole = 1e-16;
+    const S& a = dihedral.a;
+    const S& c = dihedral.c;
+    const S scale = inverse_u * inverse_v;
+    const S cosine = dihedral.cosine * scale, sine = max(abs(dihedral.sine * scale), S(pole));
+    const S small = sine / (S(1) + abs(cosine)), large = (S(1) + abs(cosine)) / sine;
+    const auto acute = cosine > S(0);
+    const auto tangent_is_negative = g * dihedral.sine > S(0);
+    const auto set = [&](RankOne<S, 4>& term, double sign, const S& eigenvalue,
+                         const auto& negative) {
+      const S signed_v = sign * inverse_v;
+      const Vector3<S> f =
+          dihedral.inverse_length * (inverse_u * dihedral.u + signed_v * dihedral.v);
+      const Vector3<S> neglected = select(negative, f, Vector3<S>{S(0), S(0), S(0)});
+      term.weight = S(0.5) * abs(g) * eigenvalue;
+      term.q[0] = inverse_u * dihedral.d;
+      term.q[1] = ((a - S(1)) * inverse_u + c * signed_v) * dihedral.d - neglected;
+      term.q[2] = (-a * inverse_u - (c + S(1)) * signed_v) * dihedral.d + neglected;
+      term.q[3] = signed_v * dihedral.d;
+    };
+    set(terms[0], 1, select(acute, small, large), tangent_is_negative);
+    set(terms[1], -1, select(acute, large, small), !tangent_is_negative);
   }
 };
 

@@ -19,5 +19,7 @@ Command run_command();
 Command check_command();
 Command list_command();
 Command describe_command();
+Command verify_command();
+Command eval_command();
 
 }  // namespace ringlet

@@ -7,7 +7,7 @@
 
 namespace ringlet {
 
-/// A plugin of the collision library from its JSON, as a scene would make it. Throws InvalidScene.
+/// A plugin of the collision library from its JSON, as a scene would make it. Throws InvalidInput.
 template <class Interface>
 std::unique_ptr<Interface> make_plugin(const Json& json) {
   Registry registry;
@@ -16,7 +16,7 @@ std::unique_ptr<Interface> make_plugin(const Json& json) {
   ParseContext context{registry, "/", {"nod"}, problems};
   Choice<Interface> choice;
   Codec<Choice<Interface>>::read(json, "/plugin", {}, context, choice);
-  if (!problems.empty()) throw InvalidScene(problems);
+  if (!problems.empty()) throw InvalidInput(problems);
   return choice.make();
 }
 

@@ -287,7 +287,7 @@ TEST_CASE("wrong parameters of the stage are refused with their pointers") {
   const auto problems_of = [](const char* json) {
     try {
       make_plugin<CollisionStage>(Json::parse(json));
-    } catch (const InvalidScene& error) {
+    } catch (const InvalidInput& error) {
       return error.problems();
     }
     return std::vector<Problem>();

@@ -28,11 +28,11 @@ ReadPlugin<Interface> read_plugin(const Json& json) {
   return result;
 }
 
-/// The plugin of a choice without problems. Throws InvalidScene if it has any.
+/// The plugin of a choice without problems. Throws InvalidInput if it has any.
 template <class Interface>
 std::unique_ptr<Interface> make_plugin(const Json& json) {
   auto [choice, problems] = read_plugin<Interface>(json);
-  if (!problems.empty()) throw InvalidScene(problems);
+  if (!problems.empty()) throw InvalidInput(problems);
   return choice.make();
 }
 

@@ -12,7 +12,7 @@ std::string problems_of(const std::string& text) {
   const Registry registry;
   try {
     read_scene(Json::parse(text), registry, ".");
-  } catch (const InvalidScene& invalid) {
+  } catch (const InvalidInput& invalid) {
     return invalid.what();
   }
   return "";

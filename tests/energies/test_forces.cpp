@@ -1,5 +1,5 @@
 #include "tests/catch.h"
-#include "tests/energies/probe.h"
+#include "tests/energies/make.h"
 
 using namespace ringlet;
 using namespace ringlet::test;
@@ -19,7 +19,7 @@ struct Step {
   State state;
   std::unique_ptr<Force> force;
 
-  explicit Step(const Json& json, std::mt19937 random = std::mt19937(4))
+  explicit Step(const Json& json, std::mt19937_64 random = std::mt19937_64(4))
       : x_n(random_points(random, vertices)),
         x(x_n + 0.1 * random_points(random, vertices)),
         strands(counts, columns(random_points(random, vertices)), plain_material()),
@@ -33,7 +33,7 @@ struct Step {
     force->bind(strands, groups);
     force->begin_step({state, dt, energies});
   }
-  Probe at(const Points& positions) const { return probe(*force, groups, positions); }
+  Probe at(const Points& positions) const { return ringlet::probe(*force, groups, positions); }
   double value(const Points& positions) const {
     const VertexField field = positions_with_pads(groups, columns(positions));
     double sum = 0;
@@ -49,7 +49,7 @@ void check_derivatives(const Json& json) {
   INFO(json.dump());
   REQUIRE(probe.gradient.norm() > 0);
   CHECK(step.value(step.x) == Approx(probe.value).epsilon(1e-13));
-  CHECK((probe.hessian - probe.hessian.transpose()).norm() <= 1e-14 * probe.hessian.norm());
+  CHECK(probe.asymmetry <= 1e-14 * probe.hessian.norm());
   for (int i = 0; i < probe.gradient.size(); ++i) {
     Points above = step.x, below = step.x;
     above.reshaped()(i) += 1e-4;
@@ -101,7 +101,7 @@ TEST_CASE("Rayleigh damping takes masses and the filtered stiffness at the start
   const Step step({{"type", "rayleigh"}, {"mass", 2}, {"stiffness", 0.01}});
   Eigen::MatrixXd damping = Eigen::MatrixXd::Zero(3 * vertices, 3 * vertices);
   for (const auto& energy : step.energies) {
-    damping += 0.01 * probe(*energy, step.groups, step.x_n).hessian;
+    damping += 0.01 * ringlet::probe(*energy, step.groups, step.x_n).hessian;
   }
   for (int i = 0; i < 3 * vertices; ++i) damping(i, i) += 2 * step.strands.mass(i / 3);
   const Probe probe = step.at(step.x);

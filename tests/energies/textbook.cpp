@@ -31,27 +31,46 @@ struct StretchTwin {
 };
 
 // theta = 2 atan2(|t0 - t1|, |t0 + t1|) (Kahan).
+struct AngleMeasure {
+  template <class S>
+  static S of(const Vector3<S>& t0, const Vector3<S>& t1) {
+    return 2.0 * atan2(norm(t0 - t1), norm(t0 + t1));
+  }
+};
+struct TangentMeasure {
+  template <class S>
+  static S of(const Vector3<S>& t0, const Vector3<S>& t1) {
+    return 2.0 * norm(t0 + t1) / norm(t0 - t1);
+  }
+};
+struct SineMeasure {
+  template <class S>
+  static S of(const Vector3<S>& t0, const Vector3<S>& t1) {
+    return norm(t0 + t1);
+  }
+};
+
+template <class Measure>
 struct BendingTwin {
   using Parameters = NoParameters;
   static constexpr int vertices = 3;
   template <class S>
   struct Rest {
-    S stiffness, angle;
+    S stiffness, measure;
   };
   NoParameters parameters;
   template <class S>
-  static S angle(const Stencil<S, 3>& x) {
+  static S measure(const Stencil<S, 3>& x) {
     const Vector3<S> e0 = x[0] - x[1], e1 = x[2] - x[1];
-    const Vector3<S> a = norm(e1) * e0, b = norm(e0) * e1;
-    return 2.0 * atan2(norm(a - b), norm(a + b));
+    return Measure::of((1.0 / norm(e0)) * e0, (1.0 / norm(e1)) * e1);
   }
   Rest<double> rest(const ElementRest<3>& e) const {
     const double stiffness = e.material.youngs_modulus * circle_second_moment(e.radii[1]);
-    return {2 * stiffness / (e.lengths[0] + e.lengths[1]), angle(e.positions)};
+    return {2 * stiffness / (e.lengths[0] + e.lengths[1]), measure(e.positions)};
   }
   template <class S>
   S value(const Stencil<S, 3>& x, const Rest<S>& rest) const {
-    const S difference = angle(x) - rest.angle;
+    const S difference = measure(x) - rest.measure;
     return 0.5 * rest.stiffness * difference * difference;
   }
 };
@@ -88,7 +107,10 @@ struct TwistTwin {
 long double Textbook::measure(const LongPoints& x) const {
   if (name == "stretch") return (x.col(1) - x.col(0)).norm();
   const LongVector a = x.col(1) - x.col(0), b = x.col(2) - x.col(1);
-  if (name == "bending") return long_pi - std::atan2(a.cross(b).norm(), a.dot(b));
+  const long double turning = std::atan2(a.cross(b).norm(), a.dot(b));
+  if (name == "bending") return long_pi - turning;
+  if (name == "tan_bending") return 2 * std::tan(turning / 2);
+  if (name == "sin_bending") return 2 * std::sin(turning / 2);
   // Seen along b, tau turns from the first edge, which leaves x1, to the last, which leaves x2.
   const LongVector c = x.col(3) - x.col(2);
   const LongVector axis = b.normalized();
@@ -104,7 +126,7 @@ Textbook::Textbook(const std::string& energy, const Points& rest_shape, const Ma
   const long double youngs_modulus = material.youngs_modulus;
   if (name == "stretch") stiffness = youngs_modulus * area * rest;
   const auto length = [&](int i) { return (x.col(i + 1) - x.col(i)).norm(); };
-  if (name == "bending") stiffness = youngs_modulus * inertia / ((length(0) + length(1)) / 2);
+  if (vertices_of(name) == 3) stiffness = youngs_modulus * inertia / ((length(0) + length(1)) / 2);
   if (name == "twist") stiffness = material.shear() * 2 * inertia / length(1);
 }
 
@@ -134,9 +156,14 @@ Eigen::VectorXd Textbook::gradient(const Points& x) const {
 std::unique_ptr<Energy> make_twin(const std::string& name, const std::string& filter) {
   BatchOptions options;
   options.filter = filter == "exact" ? Filter::exact : Filter::tight;
-  if (name == "stretch") return std::make_unique<BatchEnergy<StretchTwin>>(StretchTwin{}, options);
-  if (name == "bending") return std::make_unique<BatchEnergy<BendingTwin>>(BendingTwin{}, options);
-  return std::make_unique<BatchEnergy<TwistTwin>>(TwistTwin{}, options);
+  const auto make = [&](auto kernel) -> std::unique_ptr<Energy> {
+    return std::make_unique<BatchEnergy<decltype(kernel)>>(kernel, options);
+  };
+  if (name == "stretch") return make(StretchTwin{});
+  if (name == "bending") return make(BendingTwin<AngleMeasure>{});
+  if (name == "tan_bending") return make(BendingTwin<TangentMeasure>{});
+  if (name == "sin_bending") return make(BendingTwin<SineMeasure>{});
+  return make(TwistTwin{});
 }
 
 }  // namespace ringlet::test

@@ -2,20 +2,21 @@
 
 #include <string>
 
-#include "tests/energies/probe.h"
+#include "tests/energies/make.h"
 
 namespace ringlet::test {
 
-inline const std::string elastic_names[] = {"stretch", "bending", "twist"};
+inline const std::string elastic_names[] = {"stretch", "bending", "tan_bending", "sin_bending",
+                                            "twist"};
 inline int vertices_of(const std::string& name) {
-  return name == "stretch" ? 2 : name == "bending" ? 3 : 4;
+  return name == "stretch" ? 2 : name == "twist" ? 4 : 3;
 }
 
 /// The energies again, from other formulas than the kernels', in long double.
 struct Textbook {
-  std::string name;       ///< stretch, bending or twist
+  std::string name;       ///< of an energy
   long double stiffness;  ///< k
-  long double rest;       ///< length or angle
+  long double rest;       ///< length, angle or curvature
 
   /// Stiffness and rest value from a rest shape.
   Textbook(const std::string& energy, const Points& rest_shape, const Material& material);

@@ -1,0 +1,38 @@
+#include "core/verify/verify_energy.h"
+
+#include "core/verify/subject.h"
+
+namespace ringlet {
+
+EnergyMaker energy_maker(const Registry& registry, const Json& choice) {
+  const auto read = [&registry](const Json& json, std::vector<Problem>& problems) {
+    ParseContext context{registry, ".", {}, problems};
+    Choice<Energy> energy;
+    Codec<Choice<Energy>>::read(json, "", {}, context, energy);
+    return energy;
+  };
+  std::vector<Problem> problems;
+  read(choice, problems);
+  if (!problems.empty()) throw InvalidInput(problems);
+  const Json object = choice.is_string() ? Json{{"type", choice}} : choice;
+  return [read, object](const Json& keys) -> std::unique_ptr<Energy> {
+    Json all = object;
+    all.update(keys);
+    std::vector<Problem> refused;
+    const Choice<Energy> energy = read(all, refused);
+    return refused.empty() ? energy.make() : nullptr;
+  };
+}
+
+std::vector<Claim> verify_energy(const EnergyMaker& make, const VerifyOptions& options) {
+  const Subject subject(make, options);
+  std::vector<Claim> claims;
+  claim_derivatives(subject, claims);
+  claim_invariance(subject, claims);
+  claim_filters(subject, claims);
+  claim_assembly(subject, claims);
+  claim_degenerate(subject, claims);
+  return claims;
+}
+
+}  // namespace ringlet

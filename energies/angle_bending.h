@@ -1,0 +1,151 @@
+#pragma once
+
+// Bending energies k Psi(theta) of a hinge, k = EI / lbar, for any law Psi of its angle, with the
+// closed-form filter of math.md, section 2.
+
+#include <algorithm>
+
+#include "core/batch_energy.h"
+#include "energies/hinge.h"
+
+namespace ringlet {
+
+/// A law Psi of the turning angle phi = pi - theta: `value`, and its first and second derivative
+/// with respect to phi. `rest` is what a law keeps of the angle at rest.
+template <class Law>
+concept AngleLaw = requires(const TurningAngle<double>& turning, double rest) {
+  { Law::rest(turning) } -> std::same_as<double>;
+  { Law::value(turning, rest) } -> std::same_as<double>;
+  { Law::first(turning, rest) } -> std::same_as<double>;
+  { Law::second(turning, rest) } -> std::same_as<double>;
+};
+
+template <AngleLaw Law>
+struct AngleBending {
+  using Parameters = NoParameters;
+  static constexpr int vertices = 3;
+
+  template <class S>
+  struct Rest {
+    S stiffness;         ///< k, J
+    S rest;              ///< what the law keeps of the angle at rest
+    S shortest_squared;  ///< of an edge that has not collapsed, m^2
+  };
+
+  [[no_unique_address]] Parameters parameters;
+
+  Rest<double> rest(const ElementRest<3>& element) const {
+    const auto& [l0, l1] = element.lengths;
+    const double shortest_squared = collapsed_squared_length(std::min(l0, l1));
+    const Hinge<double> hinge(element.positions, 1, shortest_squared);
+    TurningAngle<double> turning = hinge.turning();
+    // Rounding must not take the transverse stiffness of a straight strand.
+    constexpr double straight = 1e-9;
+    if (turning.radians < straight) turning = {0, 0};
+    // A hinge that has no angle at rest has no stiffness.
+    const double length = hinge.stiffness > 0 ? 0.5 * (l0 + l1) : 1;
+    const double rigidity =
+        element.material.youngs_modulus * circle_second_moment(element.radii[1]);
+    return {hinge.stiffness * rigidity / length, Law::rest(turning), shortest_squared};
+  }
+
+  Rest<double> rest_of(double stiffness, double theta) const {
+    return {stiffness, Law::rest(turning_angle(theta)), collapsed_squared_length(0)};
+  }
+
+  template <class S>
+  S value(const Stencil<S, 3>& x, const Rest<S>& rest) const {
+    const Hinge<S> hinge(x, rest.stiffness, rest.shortest_squared);
+    return hinge.stiffness * Law::value(hinge.turning(), rest.rest);
+  }
+
+  template <class S>
+  S evaluate(const Stencil<S, 3>& x, const Rest<S>& rest, Filter filter,
+             Derivatives<S, 3>& derivatives) const {
+    const Hinge<S> hinge(x, rest.stiffness, rest.shortest_squared);
+    switch (filter) {
+      case Filter::exact:
+        return evaluate<Filter::exact>(hinge, rest.rest, derivatives);
+      case Filter::gauss_newton:
+        return evaluate<Filter::gauss_newton>(hinge, rest.rest, derivatives);
+      default:  // the paper's filter of bending is the tight one
+        return evaluate<Filter::tight>(hinge, rest.rest, derivatives);
+    }
+  }
+
+ private:
+  template <Filter filter, class S>
+  static S evaluate(const Hinge<S>& hinge, const S& rest, Derivatives<S, 3>& derivatives) {
+    const TurningAngle<S> turning = hinge.turning();
+    const S g = -Law::first(turning, rest), h = Law::second(turning, rest);
+    const Vector3<S> normal = hinge.normal();
+    const S inverse = S(1) / (hinge.n0 * hinge.n1);
+    const Vector3<S> t0 = (hinge.n1 * inverse) * hinge.e0, t1 = (hinge.n0 * inverse) * hinge.e1;
+    const AnglePlane<S> plane{t0, cross(t0, normal), t1, cross(t1, normal)};
+
+    const S force = hinge.stiffness * g;
+    derivatives.gradient[0] = force * plane.b0;
+    derivatives.gradient[2] = -force * plane.b1;
+    derivatives.gradient[1] = -derivatives.gradient[0] - derivatives.gradient[2];
+    if constexpr (filter == Filter::gauss_newton) {
+      set_hessian(hinge, std::array{gauss_newton_term(plane, h)}, derivatives);
+    } else {
+      constexpr std::size_t in_plane = filter == Filter::tight ? 2 : 4;
+      constexpr std::size_t off_plane = in_plane / 2;
+      std::array<PairTerm<S>, in_plane + off_plane> terms;
+      const auto in_plane_part = in_plane_terms<S, in_plane>(plane, g, h);
+      std::copy(in_plane_part.begin(), in_plane_part.end(), terms.begin());
+      const auto off_plane_part = off_plane_terms<S, off_plane>(hinge, normal, inverse, g, h);
+      std::copy(off_plane_part.begin(), off_plane_part.end(), terms.begin() + in_plane);
+      set_hessian(hinge, terms, derivatives);
+    }
+    return hinge.stiffness * Law::value(turning, rest);
+  }
+
+  template <class S, std::size_t N>
+  static void set_hessian(const Hinge<S>& hinge, const std::array<PairTerm<S>, N>& pairs,
+                          Derivatives<S, 3>& derivatives) {
+    std::array<RankOne<S, 3>, N> terms;
+    for (std::size_t i = 0; i < N; ++i) {
+      const PairTerm<S>& pair = pairs[i];
+      terms[i] = {hinge.stiffness * pair.weight, {pair.q0, -pair.q0 - pair.q1, pair.q1}};
+    }
+    derivatives.set_hessian(terms);
+  }
+
+  /// The eigenpairs -g tan(theta/2) of (bh, bh) and g cot(theta/2) of (bh, -bh): the positive one,
+  /// or both.
+  template <class S, std::size_t N>
+  static std::array<PairTerm<S>, N> off_plane_terms(const Hinge<S>& hinge, const Vector3<S>& normal,
+                                                    const S& inverse, const S& g, const S& h) {
+    const auto acute = hinge.e0_dot_e1 > S(0);
+    const S ratio_to_first = hinge.n0 * hinge.lengths * inverse;  // |e0| / |e1|
+    const S weight = S(0.5) * hinge.n1 * inverse;
+    std::array<PairTerm<S>, N> terms;
+    if constexpr (N == 1) {
+      const auto with_tangent = g < S(0);
+      const auto small = with_tangent == acute;
+      const S sum = hinge.lengths + abs(hinge.e0_dot_e1);
+      const S numerator = select(small, hinge.b_norm, sum);
+      const S denominator = select(small, sum, hinge.b_norm);
+      // Where the ratio has no bound the eigenvalue of a law that is at rest there stays below 2h,
+      // but folded hinges lose the digits of g.
+      const S magnitude = abs(g);
+      const S bound = max(S(2.0 * h), S(1e14 * magnitude));
+      const S eigenvalue = min(S(magnitude * (numerator / denominator)), bound);
+      const S second = select(with_tangent, ratio_to_first, -ratio_to_first);
+      terms[0] = {weight * eigenvalue, normal, second * normal};
+    } else {
+      // Truly unbounded at a straight hinge that is bent at rest; kept finite.
+      constexpr double bound = 1e16;
+      const S small = hinge.small_half_tangent(), large = hinge.large_half_tangent();
+      const S with_tangent = max(-g * select(acute, small, large), S(-bound));
+      const S with_cotangent = max(g * select(acute, large, small), S(-bound));
+      terms[0] = {weight * min(with_tangent, S(bound)), normal, ratio_to_first * normal};
+      terms[1] = {weight * min(with_cotangent, S(bound)), normal, -ratio_to_first * normal};
+    }
+    return terms;
+  }
+};
+
+}  // namespace ringlet
