@@ -5,7 +5,9 @@
 //
 // tau has no value where an end edge is parallel to the middle one. There the element fades: E is
 // multiplied by f(|u|/|e0|) f(|v|/|e2|), where f rises smoothly from 0 at 0 to 1 at the kernel's
-// parameter `fade`. An element that lies in this range at rest is weaker by the same factor.
+// parameter `fade`. The force is that of the faded energy; the Hessian, with any filter, is that of
+// E times f without the derivatives of f, whose curvature would hold a straightened strand
+// straight. An element that lies in this range at rest is weaker by the same factor.
 
 #include "core/batch_energy.h"
 #include "energies/angle_filter.h"
@@ -14,6 +16,19 @@
 namespace ringlet {
 
 namespace {
+
+/// f of one end, and its derivative with respect to the squared sine |u|^2 / |e0|^2.
+template <class S>
+struct Fade {
+  S value, derivative;
+
+  Fade(const S& squared_sine, double threshold) {
+    const double scale = 1 / (threshold * threshold);
+    const S s = min(scale * squared_sine, S(1));
+    value = s * s * (S(3) - S(2) * s);
+    derivative = S(6 * scale) * s * (S(1) - s);
+  }
+};
 
 struct Twist {
   struct Parameters {
@@ -65,18 +80,23 @@ struct Twist {
   template <class S>
   S evaluate(const Stencil<S, 4>& x, const Rest<S>& rest, Filter filter,
              Derivatives<S, 4>& derivatives) const {
-    const Dihedral<S> dihedral(x, rest.stiffness, rest.shortest_squared);
+    Dihedral<S> dihedral(x, rest.stiffness, rest.shortest_squared);
     const S g = wrap_angle(S(dihedral.torsion - rest.angle));
     const S energy = S(0.5) * dihedral.stiffness * g * g;
+    S faded = 1;
+    const bool fading = any(is_fading(dihedral));
+    if (fading) {
+      faded = fade(dihedral);
+      dihedral.stiffness = dihedral.stiffness * faded;
+    }
     if (filter == Filter::tight) differentiate<Filter::tight>(dihedral, g, derivatives);
     if (filter == Filter::paper) differentiate<Filter::paper>(dihedral, g, derivatives);
     if (filter == Filter::exact) differentiate<Filter::exact>(dihedral, g, derivatives);
     if (filter == Filter::gauss_newton) {
       differentiate<Filter::gauss_newton>(dihedral, g, derivatives);
     }
-    const auto fading = is_fading(dihedral);
-    if (!any(fading) || !any(fading && dihedral.stiffness > S(0))) return energy;
-    return evaluate_fading(x, rest, filter, fading, energy, derivatives);
+    if (fading) add_fade_gradient(dihedral, energy, derivatives);
+    return energy * faded;
   }
 
  private:
@@ -85,36 +105,37 @@ struct Twist {
     const double squared = parameters.fade * parameters.fade;
     return dihedral.uu < squared * dihedral.n0 || dihedral.vv < squared * dihedral.n2;
   }
-  /// f of both ends.
+  template <class S>
+  Fade<S> first_fade(const Dihedral<S>& dihedral) const {
+    return {dihedral.uu / dihedral.n0, parameters.fade};
+  }
+  template <class S>
+  Fade<S> last_fade(const Dihedral<S>& dihedral) const {
+    return {dihedral.vv / dihedral.n2, parameters.fade};
+  }
   template <class S>
   S fade(const Dihedral<S>& dihedral) const {
-    const double scale = 1 / (parameters.fade * parameters.fade);
-    const auto rise = [&](const S& squared_sine) {
-      const S s = min(scale * squared_sine, S(1));
-      return s * s * (S(3) - S(2) * s);
-    };
-    return rise(dihedral.uu / dihedral.n0) * rise(dihedral.vv / dihedral.n2);
+    return first_fade(dihedral).value * last_fade(dihedral).value;
   }
 
-  /// Where an element fades, its derivatives are those of the faded energy, filtered numerically:
-  /// slow, but strands are hardly ever so straight.
-  template <class S, class Condition>
-  [[gnu::noinline]] S evaluate_fading(const Stencil<S, 4>& x, const Rest<S>& rest, Filter filter,
-                                      const Condition& fading, const S& unfaded,
-                                      Derivatives<S, 4>& derivatives) const {
-    Derivatives<S, 4> faded;
-    const S energy = evaluate_by_autodiff(*this, x, rest, faded);
-    if (filter != Filter::exact) filter_eigenvalues(Filter::clamp, faded);
-    for (std::size_t n = 0; n < 4; ++n) {
-      derivatives.gradient[n] = select(fading, faded.gradient[n], derivatives.gradient[n]);
-    }
-    for (std::size_t i = 0; i < faded.hessian.size(); ++i) {
-      for (int m = 0; m < 9; ++m) {
-        S& entry = derivatives.hessian[i].m[m];
-        entry = select(fading, faded.hessian[i].m[m], entry);
-      }
-    }
-    return select(fading, energy, unfaded);
+  /// gradient += energy d(f0 f2)/dx. |u|^2/|e0|^2 has the derivatives 2 (u - (|u|^2/|e0|^2)
+  /// e0)/|e0|^2 with respect to e0 and -2 a u/|e0|^2 with respect to e1.
+  template <class S>
+  void add_fade_gradient(const Dihedral<S>& dihedral, const S& energy,
+                         Derivatives<S, 4>& derivatives) const {
+    const Fade<S> first = first_fade(dihedral), last = last_fade(dihedral);
+    const S inverse_n0 = S(1) / dihedral.n0, inverse_n2 = S(1) / dihedral.n2;
+    const S weight0 = S(2) * energy * first.derivative * last.value * inverse_n0;
+    const S weight2 = S(2) * energy * last.derivative * first.value * inverse_n2;
+    const Vector3<S>& u = dihedral.u;
+    const Vector3<S>& v = dihedral.v;
+    const Vector3<S> by_e0 = weight0 * (u - (dihedral.uu * inverse_n0) * dihedral.e0);
+    const Vector3<S> by_e2 = weight2 * (v - (dihedral.vv * inverse_n2) * dihedral.e2);
+    const Vector3<S> by_e1 = -(weight0 * dihedral.a) * u - (weight2 * dihedral.c) * v;
+    derivatives.gradient[0] += by_e0;
+    derivatives.gradient[1] -= by_e0 + by_e1;
+    derivatives.gradient[2] += by_e1 - by_e2;
+    derivatives.gradient[3] += by_e2;
   }
 
   template <Filter filter, class S>
