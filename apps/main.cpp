@@ -18,8 +18,9 @@ namespace ringlet {
 namespace {
 
 int dispatch(const Registry& registry, const std::vector<std::string>& words) {
-  const std::vector<Command> commands{run_command(), check_command(), list_command(),
-                                      describe_command(), verify_command(), eval_command()};
+  const std::vector<Command> commands{run_command(),      check_command(),  list_command(),
+                                      describe_command(), verify_command(), eval_command(),
+                                      bench_command()};
   const std::string name = words.empty() ? "help" : words.front();
   const bool wants_help = name == "help" || name == "--help" || name == "-h" ||
                           std::find(words.begin(), words.end(), "--help") != words.end();

@@ -1,29 +1,12 @@
 #include "apps/run_record.h"
 
-#include <sys/resource.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cstdint>
 
-#include "apps/build_info.h"
+#include "apps/machine.h"
 
 namespace ringlet {
 namespace {
-
-std::int64_t peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return std::int64_t{usage.ru_maxrss} * 1024;
-}
-
-// The arena of the main thread may be older than the limit that --threads sets.
-std::size_t thread_count() {
-  const std::size_t limit =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  return std::min<std::size_t>(limit, tbb::this_task_arena::max_concurrency());
-}
 
 std::string status(const RunRecord& record) {
   if (!record.failure.empty()) return "failed";
@@ -90,12 +73,9 @@ Json summarise(const RunRecord& record, const Simulation& simulation) {
                {"steps_newton_not_converged", record.newton_caps},
                {"steps_linear_not_converged", record.linear_caps}};
   summary.update(size_of(simulation.model()));
-  summary.update({{"peak_memory_bytes", peak_memory_bytes()},
-                  {"threads", thread_count()},
-                  {"version", build_info::version},
-                  {"compiler", build_info::compiler},
-                  {"build_type", build_info::build_type},
-                  {"expect", list_results(record.expectations)}});
+  summary["peak_memory_bytes"] = peak_memory_bytes();
+  summary.update(describe_machine());
+  summary["expect"] = list_results(record.expectations);
   return summary;
 }
 

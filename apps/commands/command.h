@@ -21,5 +21,6 @@ Command list_command();
 Command describe_command();
 Command verify_command();
 Command eval_command();
+Command bench_command();
 
 }  // namespace ringlet

@@ -1,0 +1,140 @@
+// What the filters of the Hessian cost, how far they are above the numeric clamp, and how many
+// Newton iterations they take.
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "apps/bench/bench.h"
+#include "apps/bench/timing.h"
+#include "core/batch_energy.h"
+#include "core/simulation.h"
+#include "core/verify/shapes.h"
+#include "core/verify/verify_energy.h"
+
+namespace ringlet {
+namespace {
+
+const char* const energies[] = {"stretch", "bending", "tan_bending", "sin_bending", "twist"};
+
+/// Curls of the paper's shape, one after the other.
+Points curls(int count, int vertices) {
+  Points x(3, count * vertices);
+  for (int v = 0; v < x.cols(); ++v) {
+    const double turn = 2 * std::numbers::pi / 5 * (v % vertices);
+    x.col(v) = 0.005 * Eigen::Vector3d(std::cos(turn), 0.2 * (v % vertices), std::sin(turn));
+  }
+  return x;
+}
+
+/// Seconds an element takes with gradient and Hessian, in lanes on one thread; the derivatives of
+/// all groups go to the same place, as where a group is factored once it is evaluated.
+Timing time_elements(const EnergyMaker& make, const Json& keys, int element_vertices,
+                     const BenchOptions& options) {
+  const int count = options.quick() ? 8 : 128;
+  constexpr int vertices = 101;
+  std::mt19937_64 random(1);
+  const Points rest = curls(count, vertices);
+  const Points x = rest + 0.001 * random_points(random, count * vertices);
+  const BoundEnergy bound(make(keys), std::vector<int>(count, vertices), rest);
+  const VertexField field = positions_with_pads(bound.groups(), columns(x));
+  VertexField gradient(bound.groups());
+  StrandBands bands(bound.groups());
+  const GroupOutputs outputs{gradient.group(0), bands.group(0)};
+  const Timing timing = measure(
+      [&] {
+        for (int g = 0; g < bound.groups().count(); ++g) {
+          bound.energy().add(g, field.group(g), outputs);
+        }
+      },
+      options.seconds);
+  const double elements = count * (vertices - element_vertices + 1);
+  return {timing.median / elements, timing.spread / elements};
+}
+
+/// Traces of the filtered Hessians of random elements relative to those of the numeric clamp,
+/// ascending.
+std::vector<double> relative_traces(const EnergyMaker& make, const std::string& filter,
+                                    int element_vertices, int trials) {
+  std::mt19937_64 random(5);
+  std::vector<double> traces;
+  for (int trial = 0; trial < trials; ++trial) {
+    const Points rest = random_strand(random, element_vertices, Shape::generic);
+    const Points x = random_strand(random, element_vertices, Shape::generic);
+    const double clamp = BoundEnergy(make({{"filter", "clamp"}}), rest).at(x).hessian.trace();
+    const double own = BoundEnergy(make({{"filter", filter}}), rest).at(x).hessian.trace();
+    traces.push_back(own / clamp);
+  }
+  std::sort(traces.begin(), traces.end());
+  return traces;
+}
+
+BenchTable bench_elements(const Registry& registry, const BenchOptions& options) {
+  BenchTable table{
+      "Filters: an element with gradient and Hessian, in lanes on one thread; trace of "
+      "the Hessian of 400 random elements relative to that of the numeric clamp",
+      {"energy", "filter", "ns an element", "spread", "clamp takes x times as long",
+       "trace, median", "trace, worst"}};
+  for (const std::string name : energies) {
+    const EnergyMaker make = energy_maker(registry, name);
+    const int vertices = make(Json::object())->element_function()->vertices();
+    const double clamp = time_elements(make, {{"filter", "clamp"}}, vertices, options).median;
+    for (const auto& [filter, filter_name] : EnumNames<Filter>::names) {
+      const Timing timing = time_elements(make, {{"filter", filter_name}}, vertices, options);
+      const auto traces = relative_traces(make, filter_name, vertices, options.quick() ? 5 : 400);
+      table.rows.push_back({name, filter_name, 1e9 * timing.median, 1e9 * timing.spread,
+                            clamp / timing.median, traces[traces.size() / 2], traces.back()});
+    }
+  }
+  return table;
+}
+
+/// Newton iterations of each step of a scene with that filter in all energies.
+std::vector<int> newton_iterations(const Registry& registry, const std::string& scene_name,
+                                   const char* filter, int steps) {
+  constexpr double tolerance = 1e-8;
+  constexpr int cap = 2000;
+  Json json = bundled_scene(scene_name);
+  for (Json& energy : json["energies"]) {
+    if (energy.is_string()) energy = {{"type", energy}};
+    energy["filter"] = filter;
+  }
+  json["integrator"].update({{"newton_tolerance", tolerance}, {"newton_iterations", cap}});
+  Simulation simulation(read_scene(json, registry, "."));
+  std::vector<int> iterations;
+  for (int step = 0; step < steps; ++step) {
+    const StepReport report = simulation.step();
+    if (!report.failure.empty()) throw Error(scene_name + ", " + filter + ": " + report.failure);
+    iterations.push_back(report.newton_iterations);
+  }
+  return iterations;
+}
+
+BenchTable bench_newton(const Registry& registry, const BenchOptions& options) {
+  const std::vector<std::string> scenes{"smash", "jitter", "hanging_curl"};
+  BenchTable table{
+      "Filters: Newton iterations until no vertex moves by more than 1e-8 m/s times dt; "
+      "first step / mean of 30 steps",
+      {"filter"}};
+  table.columns.insert(table.columns.end(), scenes.begin(), scenes.end());
+  for (const auto& [filter, name] : EnumNames<Filter>::names) {
+    std::vector<Json> row{name};
+    for (const std::string& scene : scenes) {
+      const auto counts = newton_iterations(registry, scene, name, options.quick() ? 1 : 30);
+      double sum = 0;
+      for (const int count : counts) sum += count;
+      char text[32];
+      std::snprintf(text, sizeof text, "%d / %.1f", counts[0], sum / counts.size());
+      row.push_back(text);
+    }
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<BenchTable> bench_filters(const Registry& registry, const BenchOptions& options) {
+  return {bench_elements(registry, options), bench_newton(registry, options)};
+}
+
+}  // namespace ringlet
