@@ -37,6 +37,8 @@ class CouplingBlocks {
   bool empty() const { return entries_.empty(); }
   /// Number of blocks outside the bands, counting both triangles.
   int off_band_count() const { return off_band_count_; }
+  /// Whether blocks outside the bands touch strands of the group.
+  bool touches(int group) const { return !group_blocks_[group].off_band.empty(); }
   /// Adds the blocks that belong there to the bands of a group.
   void add_to_bands(int group, GroupBands bands) const;
   /// y += B x for the rows of a group, B being all blocks outside the bands.

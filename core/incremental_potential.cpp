@@ -51,6 +51,16 @@ std::optional<std::string> find_non_finite_term(const Model& model, const Vertex
   return std::nullopt;
 }
 
+/// Makes the gradient zero where nothing is free; returns its squared norm.
+double pin_gradient(std::span<Vector3<Pack>> gradient, std::span<const Pack> free) {
+  Pack squared = 0;
+  for (std::size_t i = 0; i < gradient.size(); ++i) {
+    gradient[i] = free[i] * gradient[i];
+    squared += squared_norm(gradient[i]);
+  }
+  return sum_lanes(squared);
+}
+
 }  // namespace
 
 double PotentialTerms::total() const {
@@ -114,31 +124,50 @@ PotentialTerms IncrementalPotential::value(const VertexField& x) const {
   return total;
 }
 
-PotentialTerms IncrementalPotential::assemble(const VertexField& x, VertexField& gradient,
-                                              SystemMatrix& matrix, LinearSolver& solver) const {
-  gradient.set_zero();
+void IncrementalPotential::add_mass(int group, double weight, GroupBands bands) const {
+  const Pack* mass = &model_.mass[model_.groups[group].first_row];
+  for (int i = 0; i < bands.rows(); ++i) {
+    for (int c = 0; c < 3; ++c) bands.block(i, 0)(c, c) += weight * mass[i];
+  }
+}
+
+IncrementalPotential::Assembled IncrementalPotential::assemble(
+    const VertexField& x, VertexField& gradient, SystemMatrix& matrix, LinearSolver& solver,
+    VertexField& direction, double added) const {
   double contacts = 0;
   if (model_.collision) {
+    gradient.set_zero();
     matrix.couplings.clear();
     contacts = model_.collision->add(x, &gradient, &matrix.couplings);
     matrix.couplings.finish(model_.free);
   }
+  const bool keep_all = solver.keeps_bands();
+  if (keep_all || matrix.couples_strands()) matrix.keep_bands();
   std::vector<double> terms(model_.groups.count() * term_count());
+  std::vector<double> squared_gradients(model_.groups.count());
   parallel_for_each(model_.groups.count(), [&](int g) {
-    const GroupBands bands = matrix.bands.group(g);
+    const bool coupled = matrix.couplings.touches(g);
+    const GroupBands bands =
+        keep_all || coupled ? matrix.bands.group(g) : matrix.temporary_bands(g);
     std::fill(bands.blocks().begin(), bands.blocks().end(), Matrix3<Pack>::zero());
-    if (model_.collision) matrix.couplings.add_to_bands(g, bands);
-    const auto group_gradient = gradient.group(g);
-    add_group(g, x, {group_gradient, bands},
-              std::span(terms).subspan(g * term_count(), term_count()));
+    const auto rows = gradient.group(g);
+    if (model_.collision) {
+      matrix.couplings.add_to_bands(g, bands);
+    } else {
+      std::fill(rows.begin(), rows.end(), Vector3<Pack>{0, 0, 0});
+    }
+    add_group(g, x, {rows, bands}, std::span(terms).subspan(g * term_count(), term_count()));
+    if (added != 0) add_mass(g, added, bands);
     const std::span free = std::span(model_.free).subspan(model_.groups[g].first_row, bands.rows());
-    for (int i = 0; i < bands.rows(); ++i) group_gradient[i] = free[i] * group_gradient[i];
+    squared_gradients[g] = pin_gradient(rows, free);
     pin_rows(bands, free);
-    solver.prepare_group(matrix, g);
+    solver.prepare_group({g, bands, rows, coupled}, direction.group(g));
   });
-  PotentialTerms total = sum(terms);
-  total.contacts = contacts;
-  return total;
+  Assembled result{sum(terms)};
+  result.terms.contacts = contacts;
+  result.squared_gradient =
+      std::accumulate(squared_gradients.begin(), squared_gradients.end(), 0.0);
+  return result;
 }
 
 std::optional<std::string> find_non_finite(const Model& model, const VertexField& x) {

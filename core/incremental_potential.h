@@ -36,16 +36,23 @@ class IncrementalPotential {
 
   PotentialTerms value(const VertexField& x) const;
 
-  /// Value, gradient and filtered Hessian; gradient is zero and the matrix identity at pinned
-  /// vertices. Each group's bands are handed to the solver's prepare_group() when complete.
-  PotentialTerms assemble(const VertexField& x, VertexField& gradient, SystemMatrix& matrix,
-                          LinearSolver& solver) const;
+  /// What assemble() computes, beside what it writes.
+  struct Assembled {
+    PotentialTerms terms;
+    double squared_gradient = 0;  ///< |grad Phi|^2, N^2
+  };
+  /// Value, gradient and filtered Hessian A plus `added` M; gradient is zero and the matrix
+  /// identity at pinned vertices. Each group's bands are handed to the solver's prepare_group()
+  /// when complete, which may already solve A x = gradient into the direction.
+  Assembled assemble(const VertexField& x, VertexField& gradient, SystemMatrix& matrix,
+                     LinearSolver& solver, VertexField& direction, double added = 0) const;
 
  private:
   /// Terms of one group in the order of PotentialTerms, without the contacts.
   void add_group(int group, const VertexField& x, GroupOutputs outputs,
                  std::span<double> terms) const;
   double add_inertia(int group, const VertexField& x, GroupOutputs outputs) const;
+  void add_mass(int group, double weight, GroupBands bands) const;
   std::size_t term_count() const { return model_.energies.size() + 2; }
   PotentialTerms sum(std::span<const double> terms_of_groups) const;
 

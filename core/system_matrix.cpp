@@ -6,13 +6,22 @@
 
 namespace ringlet {
 
+GroupBands SystemMatrix::temporary_bands(int group) {
+  std::vector<Matrix3<Pack>>& blocks = temporary_.local();
+  const std::size_t size = static_cast<std::size_t>((*groups_)[group].vertices) * band_blocks;
+  if (blocks.size() < size) blocks.resize(size);
+  return GroupBands(std::span(blocks).first(size));
+}
+
 void multiply(const SystemMatrix& a, const VertexField& x, VertexField& y) {
-  parallel_for_each(a.groups().count(), [&](int g) {
-    const auto rows = y.group(g);
-    std::fill(rows.begin(), rows.end(), Vector3<Pack>{0, 0, 0});
-    add_band_product(a.bands, g, x.group(g), rows);
-    if (a.couples_strands()) a.couplings.add_product(g, x, y);
-  });
+  parallel_for_each(a.groups().count(), [&](int g) { multiply_group(a, g, x, y); });
+}
+
+void multiply_group(const SystemMatrix& a, int group, const VertexField& x, VertexField& y) {
+  const auto rows = y.group(group);
+  std::fill(rows.begin(), rows.end(), Vector3<Pack>{0, 0, 0});
+  add_band_product(a.bands, group, x.group(group), rows);
+  if (a.couples_strands()) a.couplings.add_product(group, x, y);
 }
 
 void pin_rows(GroupBands bands, std::span<const Pack> free) {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
+#include <vector>
+
 #include "core/coupling_blocks.h"
 #include "core/strand_bands.h"
 #include "core/vertex_field.h"
@@ -8,20 +12,36 @@ namespace ringlet {
 
 /// The matrix of a Newton step: a block band a strand, plus blocks that couple strands. Symmetric;
 /// pinned vertices and pads are identity.
-struct SystemMatrix {
-  explicit SystemMatrix(const StrandGroups& groups) : bands(groups), couplings(groups) {
+class SystemMatrix {
+ public:
+  explicit SystemMatrix(const StrandGroups& groups) : couplings(groups), groups_(&groups) {
     couplings.clear();
   }
 
-  const StrandGroups& groups() const { return bands.groups(); }
+  const StrandGroups& groups() const { return *groups_; }
   bool couples_strands() const { return couplings.off_band_count() > 0; }
+
+  /// Memory for the bands of all groups; without it there are none.
+  void keep_bands() {
+    if (!has_bands_) bands = StrandBands(*groups_);
+    has_bands_ = true;
+  }
+  /// Memory for the bands of one group, in the calling thread alone, until the next call.
+  GroupBands temporary_bands(int group);
 
   StrandBands bands;
   CouplingBlocks couplings;
+
+ private:
+  const StrandGroups* groups_;
+  bool has_bands_ = false;
+  tbb::enumerable_thread_specific<std::vector<Matrix3<Pack>>> temporary_;
 };
 
-/// y = A x; deterministic for any number of threads.
+/// y = A x; deterministic for any number of threads. The bands must have been kept.
 void multiply(const SystemMatrix& a, const VertexField& x, VertexField& y);
+/// The rows of one group of that.
+void multiply_group(const SystemMatrix& a, int group, const VertexField& x, VertexField& y);
 
 /// Makes the rows and columns of pinned vertices and pads those of the identity. free holds 1 for a
 /// free vertex and 0 for a pinned one or a pad.

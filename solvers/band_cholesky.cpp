@@ -8,7 +8,7 @@ namespace {
 /// Calls body with the number of blocks that row i has left of the diagonal, as a constant, so that
 /// the loops over the band unroll.
 template <class Body>
-inline void with_left_blocks(std::size_t i, const Body& body) {
+inline void with_left_blocks(int i, const Body& body) {
   if (i >= 3) {
     body(std::integral_constant<int, 3>());
   } else if (i == 2) {
@@ -41,66 +41,75 @@ inline void subtract_square(std::array<Pack, 6>& s, const Matrix3<Pack>& a) {
   }
 }
 
-/// One row of the factor, of which the rows before are known; a points to that row of A.
+/// A row of blocks, of A or of the factor: row[k] stands at (i, i - k).
+using Row = Matrix3<Pack>*;
+using ConstRow = const Matrix3<Pack>*;
+
+inline InverseTriangle inverse_diagonal(ConstRow row) {
+  const auto& m = row[0].m;
+  return {{m[0], m[1], m[2], m[3], m[4], m[5]}};
+}
+inline ConstRow above(ConstRow row, int k) { return row - k * band_blocks; }
+
+/// One row of the factor, of which the rows before are known, in the place of that row of A.
 template <int left>
-inline void factor_row(const Matrix3<Pack>* a, BandFactorRow* row, Mask& bad) {
+inline void factor_row(Row row, Mask& bad) {
   for (int k = left; k >= 1; --k) {
-    Matrix3<Pack> s = a[k];
-    for (int m = k + 1; m <= left; ++m) {
-      subtract_product(s, row->left[m - 1], (row - k)->left[m - k - 1]);
-    }
-    row->left[k - 1] = times_transposed(s, (row - k)->inverse_diagonal);
+    Matrix3<Pack> s = row[k];
+    for (int m = k + 1; m <= left; ++m) subtract_product(s, row[m], above(row, k)[m - k]);
+    row[k] = times_transposed(s, inverse_diagonal(above(row, k)));
   }
-  std::array<Pack, 6> s = lower_triangle(a[0]);
-  for (int k = left; k >= 1; --k) subtract_square(s, row->left[k - 1]);
-  row->inverse_diagonal = inverse_cholesky(s, bad);
+  std::array<Pack, 6> s = lower_triangle(row[0]);
+  for (int k = left; k >= 1; --k) subtract_square(s, row[k]);
+  const InverseTriangle inverse = inverse_cholesky(s, bad);
+  for (int n = 0; n < 6; ++n) row[0].m[n] = inverse.t[n];
 }
 
 /// Forward substitution: x points to a row of the solution, which holds the right-hand side.
 template <int left>
-inline void solve_row(const BandFactorRow& row, Vector3<Pack>* x) {
+inline void solve_row(ConstRow row, Vector3<Pack>* x) {
   Vector3<Pack> sum = *x;
-  for (int k = left; k >= 1; --k) sum -= row.left[k - 1] * x[-k];
-  *x = row.inverse_diagonal * sum;
+  for (int k = left; k >= 1; --k) sum -= row[k] * x[-k];
+  *x = inverse_diagonal(row) * sum;
 }
 
 /// Backward substitution: solves a row, and takes its part off the rows above it.
 template <int left>
-inline void solve_transposed_row(const BandFactorRow& row, Vector3<Pack>* x) {
-  const Vector3<Pack> solved = *x = transpose_multiply(row.inverse_diagonal, *x);
-  for (int k = 1; k <= left; ++k) x[-k] -= transpose_multiply(row.left[k - 1], solved);
+inline void solve_transposed_row(ConstRow row, Vector3<Pack>* x) {
+  const Vector3<Pack> solved = *x = transpose_multiply(inverse_diagonal(row), *x);
+  for (int k = 1; k <= left; ++k) x[-k] -= transpose_multiply(row[k], solved);
 }
 
 // The substitution waits for its own last result and so reads too slowly to keep the memory busy:
 // prefetching takes a quarter off its time.
-inline void prefetch(const BandFactorRow& row) {
+inline void prefetch(ConstRow row) {
   constexpr std::size_t cache_line = 64;
-  const char* bytes = reinterpret_cast<const char*>(&row);
-  for (std::size_t n = 0; n < sizeof(row); n += cache_line) __builtin_prefetch(bytes + n);
+  const char* bytes = reinterpret_cast<const char*>(row);
+  for (std::size_t n = 0; n < band_blocks * sizeof(*row); n += cache_line) {
+    __builtin_prefetch(bytes + n);
+  }
 }
-constexpr std::size_t prefetch_rows = 4;
+constexpr int prefetch_rows = 4;
 
 }  // namespace
 
-bool factor_bands(const StrandBands& bands, int group, std::span<BandFactorRow> factor) {
-  const int first_row = bands.groups()[group].first_row;
+bool factor_bands(GroupBands bands) {
   Mask bad(false);
-  for (std::size_t i = 0; i < factor.size(); ++i) {
-    const Matrix3<Pack>* a = &bands.block(first_row + static_cast<int>(i), 0);
-    with_left_blocks(i, [&](auto left) { factor_row<left>(a, &factor[i], bad); });
+  for (int i = 0; i < bands.rows(); ++i) {
+    with_left_blocks(i, [&](auto left) { factor_row<left>(&bands.block(i, 0), bad); });
   }
   return !any(bad);
 }
 
-void solve_bands(std::span<const BandFactorRow> factor, std::span<const Vector3<Pack>> b,
-                 std::span<Vector3<Pack>> x) {
-  for (std::size_t i = 0; i < factor.size(); ++i) {
-    if (i + prefetch_rows < factor.size()) prefetch(factor[i + prefetch_rows]);
+void solve_bands(GroupBands factor, std::span<const Vector3<Pack>> b, std::span<Vector3<Pack>> x) {
+  const int rows = factor.rows();
+  for (int i = 0; i < rows; ++i) {
+    if (i + prefetch_rows < rows) prefetch(&factor.block(i + prefetch_rows, 0));
     x[i] = b[i];
-    with_left_blocks(i, [&](auto left) { solve_row<left>(factor[i], &x[i]); });
+    with_left_blocks(i, [&](auto left) { solve_row<left>(&factor.block(i, 0), &x[i]); });
   }
-  for (std::size_t i = factor.size(); i-- > 0;) {
-    with_left_blocks(i, [&](auto left) { solve_transposed_row<left>(factor[i], &x[i]); });
+  for (int i = rows; i-- > 0;) {
+    with_left_blocks(i, [&](auto left) { solve_transposed_row<left>(&factor.block(i, 0), &x[i]); });
   }
 }
 

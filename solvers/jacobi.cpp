@@ -44,13 +44,14 @@ class Jacobi final : public LinearSolver {
     positive_.assign(groups.count(), false);
   }
 
-  void prepare_group(const SystemMatrix& a, int group) override {
+  bool prepare_group(const GroupSystem& system, std::span<Vector3<Pack>>) override {
     Mask bad(false);
-    const auto [first_row, vertices, strands] = (*groups_)[group];
-    for (int row = first_row; row < first_row + vertices; ++row) {
-      inverse_[row] = inverse_cholesky(lower_triangle(a.bands.block(row, 0)), bad);
+    InverseTriangle* inverse = &inverse_[(*groups_)[system.group].first_row];
+    for (int i = 0; i < system.bands.rows(); ++i) {
+      inverse[i] = inverse_cholesky(lower_triangle(system.bands.block(i, 0)), bad);
     }
-    positive_[group] = !any(bad);
+    positive_[system.group] = !any(bad);
+    return false;
   }
 
   bool prepare(const SystemMatrix& a) override {

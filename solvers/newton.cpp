@@ -17,15 +17,6 @@ constexpr double rounding = 1e-13;
 constexpr int regularisation_attempts = 7;
 constexpr double regularisation_growth = 100;
 
-/// The largest |v_i| over all vertices.
-double largest_norm(const VertexField& v) {
-  Pack largest = 0;
-  for (const Vector3<Pack>& row : v.rows()) largest = max(largest, squared_norm(row));
-  double result = 0;
-  for (int lane = 0; lane < lane_count; ++lane) result = std::max<double>(result, largest[lane]);
-  return std::sqrt(result);
-}
-
 std::string describe_failure(const Model& model, const VertexField& x, int iteration,
                              const std::string& otherwise) {
   return "Newton iteration " + std::to_string(iteration) + ": " +
@@ -46,13 +37,14 @@ Schema<NewtonParameters> NewtonParameters::schema() {
 
 void Newton::bind(const Model& model) {
   matrix_.emplace(model.groups);
-  gradient_ = direction_ = trial_ = VertexField(model.groups);
-  sum_ = GroupSum(model.groups);
+  gradient_ = direction_ = trial_ = next_gradient_ = next_direction_ = VertexField(model.groups);
+  direction_sums_.resize(model.groups.count());
 }
 
 void Newton::minimise(Model& model, const IncrementalPotential& potential, double dt,
                       VertexField& x, StepReport& report) {
   report.newton_converged = false;
+  is_assembled_ = false;
   Outcome outcome = Outcome::go_on;
   while (outcome == Outcome::go_on && report.newton_iterations < parameters_.newton_iterations) {
     outcome = iterate(model, potential, dt, x, report);
@@ -60,63 +52,68 @@ void Newton::minimise(Model& model, const IncrementalPotential& potential, doubl
   if (outcome == Outcome::failed) return;
   if (!parameters_.line_search) {
     const StageTimer timer(report.seconds.evaluate);
-    terms_ = potential.value(x);
-    if (!std::isfinite(terms_.total())) {
+    assembled_.terms = potential.value(x);
+    if (!std::isfinite(assembled_.terms.total())) {
       report.failure = describe_failure(model, x, report.newton_iterations,
                                         "the potential is not finite after the update");
     }
   }
-  report.energies = terms_.energies;
+  report.energies = assembled_.terms.energies;
   if (model.collision) report.contacts = model.collision->report();
+}
+
+void Newton::assemble(Model& model, const IncrementalPotential& potential, const VertexField& x,
+                      StepReport& report) {
+  if (model.collision) {
+    const StageTimer timer(report.seconds.detect);
+    model.collision->detect(x);
+  }
+  const StageTimer timer(report.seconds.evaluate);
+  assembled_ = potential.assemble(x, gradient_, *matrix_, *model.solver, direction_);
 }
 
 Newton::Outcome Newton::iterate(Model& model, const IncrementalPotential& potential, double dt,
                                 VertexField& x, StepReport& report) {
   ++report.newton_iterations;
-  if (model.collision) {
-    const StageTimer timer(report.seconds.detect);
-    model.collision->detect(x);
-  }
-  {
-    const StageTimer timer(report.seconds.evaluate);
-    terms_ = potential.assemble(x, gradient_, *matrix_, *model.solver);
-  }
-  const double squared_gradient = sum_.dot(gradient_, gradient_);
-  if (!std::isfinite(terms_.total()) || !std::isfinite(squared_gradient)) {
+  if (!is_assembled_) assemble(model, potential, x, report);
+  is_assembled_ = false;
+  if (!std::isfinite(assembled_.terms.total()) || !std::isfinite(assembled_.squared_gradient)) {
     report.failure =
         describe_failure(model, x, report.newton_iterations, "a force or contact is not finite");
     return Outcome::failed;
   }
   report.newton_update = 0;
-  report.newton_converged = squared_gradient == 0;
+  report.newton_converged = assembled_.squared_gradient == 0;
   if (report.newton_converged) return Outcome::done;
-  if (!find_direction(model, dt, report)) {
+  if (!find_direction(model, potential, x, dt, report)) {
     report.failure = describe_failure(
         model, x, report.newton_iterations,
         "the linear solver found no direction in which the potential falls, even with mass added");
     return Outcome::failed;
   }
   // Of the whole update: a short step of the line search is no sign of being near the minimum.
-  report.newton_update = largest_norm(direction_);
+  report.newton_update = std::sqrt(squared_update_);
   report.newton_converged =
       !regularised_ && report.newton_update <= parameters_.newton_tolerance * dt;
   if (!parameters_.line_search) {
     add_scaled(x, -1, direction_);
-  } else if (search_line(potential, x, report) == 0) {
+  } else if (!search_line(model, potential, x, report)) {
     return Outcome::done;
   }
   return report.newton_converged ? Outcome::done : Outcome::go_on;
 }
 
-bool Newton::find_direction(Model& model, double dt, StepReport& report) {
-  const StageTimer timer(report.seconds.solve);
+bool Newton::find_direction(Model& model, const IncrementalPotential& potential,
+                            const VertexField& x, double dt, StepReport& report) {
   regularised_ = false;
   if (solve(*model.solver, report)) return true;
   regularised_ = true;
-  double weight = 1 / (dt * dt), added = 0;
+  double weight = 1 / (dt * dt);
   for (int attempt = 0; attempt < regularisation_attempts; ++attempt) {
-    add_mass_to_diagonal(model, weight - added);
-    added = weight;
+    {
+      const StageTimer timer(report.seconds.evaluate);
+      potential.assemble(x, gradient_, *matrix_, *model.solver, direction_, weight);
+    }
     weight *= regularisation_growth;
     if (solve(*model.solver, report)) return true;
   }
@@ -125,48 +122,79 @@ bool Newton::find_direction(Model& model, double dt, StepReport& report) {
 
 /// d = A^-1 grad Phi; false if that is no direction of descent.
 bool Newton::solve(LinearSolver& solver, StepReport& report) {
+  const StageTimer timer(report.seconds.solve);
   if (!solver.prepare(*matrix_)) return false;
   const SolveReport solved = solver.solve(gradient_, direction_);
   report.linear_iterations += solved.iterations;
   report.linear_converged &= solved.converged;
   report.linear_residual = std::max(report.linear_residual, solved.residual);
-  slope_ = sum_.dot(gradient_, direction_);
+  measure_direction();
   return slope_ > 0 && std::isfinite(slope_);
 }
 
-void Newton::add_mass_to_diagonal(Model& model, double weight) {
-  parallel_for_each(model.groups.count(), [&](int g) {
-    const GroupBands bands = matrix_->bands.group(g);
-    const int first_row = model.groups[g].first_row;
-    for (int i = 0; i < bands.rows(); ++i) {
-      const Pack added = weight * model.mass[first_row + i] * model.free[first_row + i];
-      for (int c = 0; c < 3; ++c) bands.block(i, 0)(c, c) += added;
+void Newton::measure_direction() {
+  parallel_for_each(static_cast<int>(direction_sums_.size()), [&](int g) {
+    const auto d = direction_.group(g), gradient = gradient_.group(g);
+    Pack slope = 0, largest = 0;
+    for (std::size_t i = 0; i < d.size(); ++i) {
+      slope += dot(d[i], gradient[i]);
+      largest = max(largest, squared_norm(d[i]));
     }
-    model.solver->prepare_group(*matrix_, g);
+    direction_sums_[g] = {sum_lanes(slope), std::experimental::hmax(largest)};
   });
+  slope_ = squared_update_ = 0;
+  for (const DirectionSums& sums : direction_sums_) {
+    slope_ += sums.slope;
+    squared_update_ = std::max(squared_update_, sums.largest);
+  }
 }
 
-/// Moves x and returns how far, as a part of the direction. 0: the potential does not fall; x and
-/// terms_ are unchanged.
-double Newton::search_line(const IncrementalPotential& potential, VertexField& x,
-                           StepReport& report) {
+/// Moves x as far along the direction as the potential falls. False: it does not fall; x is
+/// unchanged.
+bool Newton::search_line(Model& model, const IncrementalPotential& potential, VertexField& x,
+                         StepReport& report) {
   const StageTimer timer(report.seconds.line_search);
-  const double start = terms_.total();
-  const double allowance = rounding * terms_.magnitude();
   double alpha = 1;
   for (int halvings = 0; halvings <= halving_limit; ++halvings, alpha /= 2) {
     trial_ = x;
     add_scaled(trial_, -alpha, direction_);
-    PotentialTerms terms = potential.value(trial_);
-    const double total = terms.total();
-    if (std::isfinite(total) && total <= start - armijo * alpha * slope_ + allowance) {
-      std::swap(x, trial_);
-      terms_ = std::move(terms);
-      return alpha;
+    // The whole step is nearly always good. Where another iteration follows at the same contacts
+    // it is tried with all derivatives at once: its value costs nothing then.
+    const bool goes_on = !report.newton_converged && !model.collision &&
+                         report.newton_iterations < parameters_.newton_iterations;
+    if (halvings == 0 && goes_on) {
+      if (try_next_iteration(model, potential, x, report)) return true;
+    } else {
+      PotentialTerms terms = potential.value(trial_);
+      if (falls_enough(terms, alpha)) {
+        std::swap(x, trial_);
+        assembled_.terms = std::move(terms);
+        return true;
+      }
     }
     ++report.line_search_halvings;
   }
-  return 0;
+  return false;
+}
+
+bool Newton::try_next_iteration(Model& model, const IncrementalPotential& potential, VertexField& x,
+                                StepReport& report) {
+  const StageTimer timer(report.seconds.evaluate);
+  auto next = potential.assemble(trial_, next_gradient_, *matrix_, *model.solver, next_direction_);
+  if (!falls_enough(next.terms, 1)) return false;
+  std::swap(x, trial_);
+  std::swap(gradient_, next_gradient_);
+  std::swap(direction_, next_direction_);
+  assembled_ = std::move(next);
+  is_assembled_ = true;
+  return true;
+}
+
+/// Armijo's condition, but for rounding.
+bool Newton::falls_enough(const PotentialTerms& terms, double alpha) const {
+  const double allowance = rounding * assembled_.terms.magnitude();
+  const double start = assembled_.terms.total(), total = terms.total();
+  return std::isfinite(total) && total <= start - armijo * alpha * slope_ + allowance;
 }
 
 }  // namespace ringlet

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/incremental_potential.h"
 #include "core/parameters.h"
 #include "core/step_report.h"
-#include "solvers/group_sum.h"
 
 namespace ringlet {
 
@@ -44,17 +44,31 @@ class Newton {
   enum class Outcome { go_on, done, failed };
   Outcome iterate(Model& model, const IncrementalPotential& potential, double dt, VertexField& x,
                   StepReport& report);
-  bool find_direction(Model& model, double dt, StepReport& report);
+  void assemble(Model& model, const IncrementalPotential& potential, const VertexField& x,
+                StepReport& report);
+  bool find_direction(Model& model, const IncrementalPotential& potential, const VertexField& x,
+                      double dt, StepReport& report);
   bool solve(LinearSolver& solver, StepReport& report);
-  void add_mass_to_diagonal(Model& model, double weight);
-  double search_line(const IncrementalPotential& potential, VertexField& x, StepReport& report);
+  void measure_direction();
+  bool search_line(Model& model, const IncrementalPotential& potential, VertexField& x,
+                   StepReport& report);
+  bool try_next_iteration(Model& model, const IncrementalPotential& potential, VertexField& x,
+                          StepReport& report);
+  bool falls_enough(const PotentialTerms& terms, double alpha) const;
+
+  struct DirectionSums {
+    double slope, largest;
+  };
 
   NewtonParameters parameters_;
   std::optional<SystemMatrix> matrix_;
   VertexField gradient_, direction_, trial_;
-  GroupSum sum_;
-  PotentialTerms terms_;  ///< at x
-  double slope_ = 0;      ///< d^T grad Phi, J
+  VertexField next_gradient_, next_direction_;  ///< of the iteration that is tried
+  std::vector<DirectionSums> direction_sums_;   ///< of each group
+  IncrementalPotential::Assembled assembled_;   ///< at x
+  bool is_assembled_ = false;  ///< gradient, matrix and direction are already those at x
+  double slope_ = 0;           ///< d^T grad Phi, J
+  double squared_update_ = 0;  ///< of the vertex that moves most, m^2
   bool regularised_ = false;
 };
 

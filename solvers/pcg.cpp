@@ -2,6 +2,7 @@
 // Sparse Linear Systems, algorithm 9.1). Stops in the norm sqrt(r^T P^-1 r): in ||r|| the stiff
 // stretching forces can satisfy a tolerance before the contacts feel anything.
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -36,15 +37,20 @@ class Pcg final : public LinearSolver {
 
   void bind(const StrandGroups& groups) override {
     sum_ = GroupSum(groups);
+    solved_.assign(groups.count(), false);
     residual_ = direction_ = product_ = VertexField(groups);
     if (preconditioner_) {
       preconditioned_ = VertexField(groups);
       preconditioner_->bind(groups);
     }
+    if (!keeps_bands()) band_product_ = VertexField(groups);
   }
 
-  void prepare_group(const SystemMatrix& a, int group) override {
-    if (preconditioner_) preconditioner_->prepare_group(a, group);
+  bool keeps_bands() const override { return !preconditioner_ || preconditioner_->keeps_bands(); }
+
+  bool prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) override {
+    solved_[system.group] = preconditioner_ && preconditioner_->prepare_group(system, x);
+    return solved_[system.group];
   }
 
   bool prepare(const SystemMatrix& a) override {
@@ -55,24 +61,21 @@ class Pcg final : public LinearSolver {
   /// Where the matrix or the preconditioner turns out not to be positive definite, the last iterate
   /// is returned as not converged.
   SolveReport solve(const VertexField& b, VertexField& x) override {
-    x.set_zero();
-    residual_ = b;
+    begin(b, x);
     precondition();
-    const double start = sum_.dot(residual_, preconditioned());
+    const double start = dot_residual();
     SolveReport report{.converged = start == 0, .residual = start == 0 ? 0.0 : 1.0};
     if (!(start > 0) || !std::isfinite(start)) return report;
 
-    direction_ = preconditioned();
+    turn_direction(0);
     double squared_norm = start;
     while (report.iterations < parameters_.max_iterations) {
-      multiply(*matrix_, direction_, product_);
-      const double alpha = squared_norm / sum_.dot(direction_, product_);
+      const double alpha = squared_norm / multiply_direction();
       if (!(alpha > 0) || !std::isfinite(alpha)) break;
       ++report.iterations;
-      add_scaled(x, alpha, direction_);
-      add_scaled(residual_, -alpha, product_);
+      go(alpha, x);
       precondition();
-      const double next_squared_norm = sum_.dot(residual_, preconditioned());
+      const double next_squared_norm = dot_residual();
       if (!(next_squared_norm >= 0) || !std::isfinite(next_squared_norm)) break;
       report.residual = std::sqrt(next_squared_norm / start);
       report.converged = report.residual <= parameters_.tolerance;
@@ -84,29 +87,96 @@ class Pcg final : public LinearSolver {
   }
 
  private:
+  template <class Body>
+  void for_unsolved(const Body& body) {
+    parallel_for_each(static_cast<int>(solved_.size()), [&](int g) {
+      if (!solved_[g]) body(g);
+    });
+  }
+
+  /// x = 0 and r = b where the solution is not known yet; elsewhere nothing remains to be done, and
+  /// no coupling leads there.
+  void begin(const VertexField& b, VertexField& x) {
+    parallel_for_each(static_cast<int>(solved_.size()), [&](int g) {
+      const auto r = residual_.group(g), p = direction_.group(g), solution = x.group(g);
+      const auto right = b.group(g);
+      for (std::size_t i = 0; i < r.size(); ++i) {
+        p[i] = {0, 0, 0};
+        r[i] = solved_[g] ? p[i] : right[i];
+        if (!solved_[g]) solution[i] = p[i];
+      }
+    });
+  }
+
+  /// z = P^-1 r.
   void precondition() {
     if (preconditioner_) preconditioner_->apply(residual_, preconditioned_);
   }
-  /// P^-1 r.
   const VertexField& preconditioned() const {
     return preconditioner_ ? preconditioned_ : residual_;
   }
+  /// r^T z.
+  double dot_residual() {
+    return sum_([&](int g) {
+      return solved_[g] ? 0.0 : dot(residual_.group(g), preconditioned().group(g));
+    });
+  }
 
-  /// p = P^-1 r + beta p.
+  /// p = z + beta p; where P is A without its couplings, P p comes from the same recurrence, since
+  /// P z = r.
   void turn_direction(double beta) {
-    const StrandGroups& groups = direction_.groups();
-    parallel_for_each(groups.count(), [&](int g) {
+    for_unsolved([&](int g) {
       const auto p = direction_.group(g);
       const auto z = preconditioned().group(g);
       for (std::size_t i = 0; i < p.size(); ++i) p[i] = z[i] + Pack(beta) * p[i];
+      if (keeps_bands()) return;
+      const auto u = band_product_.group(g);
+      const auto r = residual_.group(g);
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        u[i] = beta == 0 ? r[i] : r[i] + Pack(beta) * u[i];
+      }
     });
+  }
+
+  /// q = A p; returns p^T q.
+  double multiply_direction() {
+    return sum_([&](int g) {
+      if (solved_[g]) return 0.0;
+      if (keeps_bands()) {
+        multiply_group(*matrix_, g, direction_, product_);
+      } else {
+        const auto u = band_product_.group(g);
+        std::copy(u.begin(), u.end(), product_.group(g).begin());
+        matrix_->couplings.add_product(g, direction_, product_);
+      }
+      return dot(direction_.group(g), product_.group(g));
+    });
+  }
+
+  /// x += alpha p, r -= alpha q.
+  void go(double alpha, VertexField& x) {
+    for_unsolved([&](int g) {
+      const auto solution = x.group(g), r = residual_.group(g), p = direction_.group(g),
+                 q = product_.group(g);
+      for (std::size_t i = 0; i < r.size(); ++i) {
+        solution[i] += Pack(alpha) * p[i];
+        r[i] -= Pack(alpha) * q[i];
+      }
+    });
+  }
+
+  static double dot(std::span<const Vector3<Pack>> a, std::span<const Vector3<Pack>> b) {
+    Pack sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += ringlet::dot(a[i], b[i]);
+    return sum_lanes(sum);
   }
 
   PcgParameters parameters_;
   std::unique_ptr<LinearSolver> preconditioner_;
   const SystemMatrix* matrix_ = nullptr;
   GroupSum sum_;
-  VertexField residual_, preconditioned_, direction_, product_;
+  std::vector<char> solved_;  // groups of which the preconditioner has solved the system itself
+  VertexField residual_, preconditioned_, direction_, product_, band_product_;
 };
 
 }  // namespace

@@ -21,12 +21,19 @@ class StrandCholesky final : public LinearSolver {
  public:
   void bind(const StrandGroups& groups) override {
     groups_ = &groups;
-    factor_.resize(groups.rows());
+    factors_.resize(groups.count());
     positive_.assign(groups.count(), false);
   }
 
-  void prepare_group(const SystemMatrix& a, int group) override {
-    positive_[group] = factor_bands(a.bands, group, factor(group));
+  bool keeps_bands() const override { return false; }
+
+  bool prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) override {
+    const int g = system.group;
+    positive_[g] = factor_bands(system.bands);
+    factors_[g] = system.coupled ? system.bands : GroupBands();
+    if (system.coupled || !positive_[g]) return false;
+    solve_bands(system.bands, system.b, x);
+    return true;
   }
 
   bool prepare(const SystemMatrix& a) override {
@@ -35,8 +42,9 @@ class StrandCholesky final : public LinearSolver {
   }
 
   void apply(const VertexField& r, VertexField& z) override {
-    parallel_for_each(groups_->count(),
-                      [&](int g) { solve_bands(factor(g), r.group(g), z.group(g)); });
+    parallel_for_each(groups_->count(), [&](int g) {
+      if (!factors_[g].empty()) solve_bands(factors_[g], r.group(g), z.group(g));
+    });
   }
 
   SolveReport solve(const VertexField& b, VertexField& x) override {
@@ -46,25 +54,19 @@ class StrandCholesky final : public LinearSolver {
   }
 
  private:
-  std::span<BandFactorRow> factor(int group) {
-    const StrandGroup& g = (*groups_)[group];
-    return std::span(factor_).subspan(g.first_row, g.vertices);
-  }
-
-  /// ||b - A x|| / ||b||.
-  double relative_residual(const VertexField& b, const VertexField& x) {
-    if (residual_.rows().empty()) residual_ = VertexField(*groups_);
-    multiply(*matrix_, x, residual_);
-    add_scaled(residual_, -1, b);
+  /// ||b - A x|| / ||b||: what is left are the couplings.
+  double relative_residual(const VertexField& b, const VertexField& x) const {
+    VertexField product(*groups_);
+    parallel_for_each(groups_->count(),
+                      [&](int g) { matrix_->couplings.add_product(g, x, product); });
     const double norm = std::sqrt(dot(b, b));
-    return norm > 0 ? std::sqrt(dot(residual_, residual_)) / norm : 0;
+    return norm > 0 ? std::sqrt(dot(product, product)) / norm : 0;
   }
 
   const StrandGroups* groups_ = nullptr;
   const SystemMatrix* matrix_ = nullptr;
-  std::vector<BandFactorRow> factor_;
-  std::vector<char> positive_;  // not vector<bool>: threads write neighbours at once
-  VertexField residual_;        // only where couplings are left out
+  std::vector<GroupBands> factors_;  // of coupled groups, in the place of their bands
+  std::vector<char> positive_;       // not vector<bool>: threads write neighbours at once
 };
 
 }  // namespace

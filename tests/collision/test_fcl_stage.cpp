@@ -40,6 +40,7 @@ struct Scenery {
   }
   Eigen::MatrixXd hessian_at(const VertexField& at) {
     SystemMatrix matrix(groups);
+    matrix.keep_bands();
     stage->add(at, nullptr, &matrix.couplings);
     matrix.couplings.finish(free);
     for (int g = 0; g < groups.count(); ++g) {

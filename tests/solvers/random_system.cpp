@@ -71,6 +71,7 @@ RandomSystem::RandomSystem(const std::vector<int>& vertex_counts, int contacts, 
       dense(Eigen::MatrixXd::Zero(3 * strands.vertex_count(), 3 * strands.vertex_count())) {
   INFO("seed " << seed);
   Random random(seed);
+  matrix.keep_bands();
   add_masses();
   add_neighbours(random);
   dense_bands = dense;
@@ -183,9 +184,15 @@ std::unique_ptr<LinearSolver> make_solver(const Json& json) {
   return choice.make();
 }
 
-bool prepare(LinearSolver& solver, const SystemMatrix& a) {
-  parallel_for_each(a.groups().count(), [&](int g) { solver.prepare_group(a, g); });
-  return solver.prepare(a);
+Prepared::Prepared(LinearSolver& solver, const SystemMatrix& a, VertexField b)
+    : solver_(solver), matrix_(a), b_(std::move(b)), solution_(a.groups()) {
+  for (auto& row : solution_.rows()) row = {Pack(3), Pack(4), Pack(5)};  // an old solution
+  solver.bind(a.groups());
+  parallel_for_each(a.groups().count(), [&](int g) {
+    const bool coupled = matrix_.couplings.touches(g);
+    solver.prepare_group({g, matrix_.bands.group(g), b_.group(g), coupled}, solution_.group(g));
+  });
+  accepted_ = solver.prepare(matrix_);
 }
 
 }  // namespace ringlet

@@ -46,7 +46,22 @@ double relative_difference(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b)
 
 /// A solver as a scene would ask for it.
 std::unique_ptr<LinearSolver> make_solver(const Json& json);
-/// bind() must have been called.
-bool prepare(LinearSolver& solver, const SystemMatrix& a);
+
+/// A solver prepared with a copy of a matrix, as a Newton iteration does.
+class Prepared {
+ public:
+  Prepared(LinearSolver& solver, const SystemMatrix& a, VertexField b);
+
+  bool accepted() const { return accepted_; }
+  /// solution() is what it was before where the solver writes nothing.
+  SolveReport solve() { return solver_.solve(b_, solution_); }
+  VertexField& solution() { return solution_; }
+
+ private:
+  LinearSolver& solver_;
+  SystemMatrix matrix_;
+  VertexField b_, solution_;
+  bool accepted_;
+};
 
 }  // namespace ringlet

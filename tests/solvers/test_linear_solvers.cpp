@@ -23,12 +23,11 @@ std::vector<Json> exact_solvers() {
 void check_solution(const Json& json, const RandomSystem& system) {
   INFO(json.dump());
   const auto solver = make_solver(json);
-  solver->bind(system.groups);
-  REQUIRE(prepare(*solver, system.matrix));
   const VertexField b = system.right_hand_side(7);
-  VertexField x(system.groups);
-  for (auto& row : x.rows()) row = {Pack(3), Pack(4), Pack(5)};  // an old solution
-  const SolveReport report = solver->solve(b, x);
+  Prepared prepared(*solver, system.matrix, b);
+  REQUIRE(prepared.accepted());
+  const SolveReport report = prepared.solve();
+  const VertexField& x = prepared.solution();
   CHECK(report.converged);
   CHECK(report.residual <= 1e-10);
   const Eigen::Matrix3Xd expected = RandomSystem::dense_solution(system.dense, b);
@@ -64,11 +63,12 @@ TEST_CASE("every solver but strand_cholesky solves a system with couplings") {
 TEST_CASE("strand_cholesky says that it leaves couplings out, and solves with the bands") {
   const RandomSystem system(lengths, 40, 2);
   const auto solver = make_solver("strand_cholesky");
-  solver->bind(system.groups);
-  REQUIRE(prepare(*solver, system.matrix));
   const VertexField b = system.right_hand_side(3);
-  VertexField x(system.groups), residual(system.groups);
-  const SolveReport report = solver->solve(b, x);
+  Prepared prepared(*solver, system.matrix, b);
+  REQUIRE(prepared.accepted());
+  const SolveReport report = prepared.solve();
+  const VertexField& x = prepared.solution();
+  VertexField residual(system.groups);
   CHECK_FALSE(report.converged);
   multiply(system.matrix, x, residual);
   add_scaled(residual, -1, b);
@@ -81,12 +81,11 @@ TEST_CASE("strand_cholesky says that it leaves couplings out, and solves with th
 TEST_CASE("an exact preconditioner needs one iteration, and a better one fewer than a worse") {
   const RandomSystem system(lengths, 40, 4);
   const VertexField b = system.right_hand_side(5);
-  VertexField x(system.groups);
   const auto iterations = [&](const Json& preconditioner) {
     const auto solver = make_solver({{"type", "pcg"}, {"preconditioner", preconditioner}});
-    solver->bind(system.groups);
-    REQUIRE(prepare(*solver, system.matrix));
-    return solver->solve(b, x).iterations;
+    Prepared prepared(*solver, system.matrix, b);
+    REQUIRE(prepared.accepted());
+    return prepared.solve().iterations;
   };
   CHECK(iterations("cholesky") == 1);
   CHECK(iterations("strand_cholesky") < iterations("jacobi"));
@@ -98,13 +97,12 @@ TEST_CASE("a right-hand side of zero has the solution zero") {
   for (const Json& json : all) {
     INFO(json.dump());
     const auto solver = make_solver(json);
-    solver->bind(system.groups);
-    REQUIRE(prepare(*solver, system.matrix));
-    VertexField x = system.right_hand_side(1);
-    const SolveReport report = solver->solve(VertexField(system.groups), x);
+    Prepared prepared(*solver, system.matrix, VertexField(system.groups));
+    REQUIRE(prepared.accepted());
+    const SolveReport report = prepared.solve();
     CHECK(report.converged);
     CHECK(report.residual == 0);
-    CHECK(dot(x, x) == 0);
+    CHECK(dot(prepared.solution(), prepared.solution()) == 0);
   }
 }
 
@@ -119,8 +117,7 @@ TEST_CASE("a matrix that is not positive definite, or not finite, is refused") {
        {Json("strand_cholesky"), Json("cholesky"), Json("jacobi"), Json("pcg")}) {
     INFO(json.dump() << " vertex " << vertex << " pivot " << pivot);
     const auto solver = make_solver(json);
-    solver->bind(system.groups);
-    CHECK_FALSE(prepare(*solver, system.matrix));
+    CHECK_FALSE(Prepared(*solver, system.matrix, system.right_hand_side(1)).accepted());
   }
 }
 
@@ -131,8 +128,8 @@ TEST_CASE("a matrix that is indefinite only as a whole is refused by the strands
   bands.block(5, 1)(0, 0)[0] = 1e3;
   for (const auto& [name, accepted] : {std::pair("strand_cholesky", false), {"jacobi", true}}) {
     const auto solver = make_solver(name);
-    solver->bind(system.groups);
-    CHECK(prepare(*solver, system.matrix) == accepted);
+    const Prepared prepared(*solver, system.matrix, system.right_hand_side(1));
+    CHECK(prepared.accepted() == accepted);
   }
 }
 
@@ -141,12 +138,11 @@ TEST_CASE("conjugate gradients notice an indefinite matrix and stay finite") {
   system.matrix.bands.group(0).block(5, 1)(0, 0)[0] = 1e3;
   for (const Json& preconditioner : {Json("jacobi"), Json(nullptr)}) {
     const auto solver = make_solver({{"type", "pcg"}, {"preconditioner", preconditioner}});
-    solver->bind(system.groups);
-    REQUIRE(prepare(*solver, system.matrix));
-    VertexField x(system.groups);
-    const SolveReport report = solver->solve(system.right_hand_side(1), x);
+    Prepared prepared(*solver, system.matrix, system.right_hand_side(1));
+    REQUIRE(prepared.accepted());
+    const SolveReport report = prepared.solve();
     CHECK_FALSE(report.converged);
-    CHECK(x.matrix().allFinite());
+    CHECK(prepared.solution().matrix().allFinite());
   }
 }
 
@@ -156,29 +152,27 @@ TEST_CASE("an iteration cap that is hit is reported") {
                            Json{{"type", "jacobi"}, {"max_iterations", 3}}}) {
     INFO(json.dump());
     const auto solver = make_solver(json);
-    solver->bind(system.groups);
-    REQUIRE(prepare(*solver, system.matrix));
-    VertexField x(system.groups);
-    const SolveReport report = solver->solve(system.right_hand_side(1), x);
+    Prepared prepared(*solver, system.matrix, system.right_hand_side(1));
+    REQUIRE(prepared.accepted());
+    const SolveReport report = prepared.solve();
     CHECK(report.iterations == 3);
     CHECK_FALSE(report.converged);
     CHECK(report.residual > 1e-6);
     CHECK(report.residual < 1);
-    CHECK(dot(x, x) > 0);
+    CHECK(dot(prepared.solution(), prepared.solution()) > 0);
   }
 }
 
 TEST_CASE("a Jacobi iteration that diverges stops before it grows") {
   const RandomSystem system(lengths, 40, 10);
   const auto solver = make_solver({{"type", "jacobi"}, {"weight", 1.5}});
-  solver->bind(system.groups);
-  REQUIRE(prepare(*solver, system.matrix));
-  VertexField x(system.groups);
-  const SolveReport report = solver->solve(system.right_hand_side(1), x);
+  Prepared prepared(*solver, system.matrix, system.right_hand_side(1));
+  REQUIRE(prepared.accepted());
+  const SolveReport report = prepared.solve();
   CHECK_FALSE(report.converged);
   CHECK(report.iterations < 1000);
   CHECK(report.residual <= 1);
-  CHECK(x.matrix().allFinite());
+  CHECK(prepared.solution().matrix().allFinite());
 }
 
 TEST_CASE("a solver may be used for one matrix after another") {
@@ -186,16 +180,27 @@ TEST_CASE("a solver may be used for one matrix after another") {
   for (const Json& json : exact_solvers()) {
     INFO(json.dump());
     const auto solver = make_solver(json);
-    solver->bind(loose.groups);
     for (const RandomSystem* system : {&loose, &tied, &tied_otherwise, &loose}) {
-      REQUIRE(prepare(*solver, system->matrix));
       const VertexField b = system->right_hand_side(3);
-      VertexField x(system->groups);
-      CHECK(solver->solve(b, x).converged);
+      Prepared prepared(*solver, system->matrix, b);
+      REQUIRE(prepared.accepted());
+      CHECK(prepared.solve().converged);
       const Eigen::Matrix3Xd expected = RandomSystem::dense_solution(system->dense, b);
-      CHECK(relative_difference(x.matrix(), expected) < 1e-8);
+      CHECK(relative_difference(prepared.solution().matrix(), expected) < 1e-8);
     }
   }
+}
+
+TEST_CASE("strands that nothing couples are solved without iterations, beside those that are") {
+  // Two groups of eight; contacts between strands of the first one only.
+  const RandomSystem loose(std::vector<int>(16, 9), 0, 50), tied(std::vector<int>(16, 9), 40, 50);
+  const auto solver = make_solver({{"type", "pcg"}, {"tolerance", 1e-10}});
+  Prepared prepared(*solver, loose.matrix, loose.right_hand_side(1));
+  CHECK(prepared.solve().iterations == 0);
+  const Eigen::Matrix3Xd expected =
+      RandomSystem::dense_solution(loose.dense, loose.right_hand_side(1));
+  CHECK(relative_difference(prepared.solution().matrix(), expected) < 1e-10);
+  CHECK(Prepared(*solver, tied.matrix, tied.right_hand_side(1)).solve().iterations > 0);
 }
 
 TEST_CASE("the bits of a solution do not depend on the number of threads") {
@@ -204,11 +209,10 @@ TEST_CASE("the bits of a solution do not depend on the number of threads") {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const RandomSystem system(many, 60, 30);
     const auto solver = make_solver(json);
-    solver->bind(system.groups);
-    REQUIRE(prepare(*solver, system.matrix));
-    VertexField x(system.groups);
-    solver->solve(system.right_hand_side(31), x);
-    return x.matrix();
+    Prepared prepared(*solver, system.matrix, system.right_hand_side(31));
+    REQUIRE(prepared.accepted());
+    prepared.solve();
+    return prepared.solution().matrix();
   };
   for (const Json& json :
        {Json("strand_cholesky"), Json("pcg"), Json{{"type", "jacobi"}, {"max_iterations", 20}}}) {
