@@ -14,7 +14,7 @@ using std::atan2;
 /// With lo <= hi the two magnitudes, atan(lo/hi) = atan(c) + atan((lo - c hi)/(hi + c lo)) for the
 /// multiple c of 1/4 nearest to lo/hi. What remains is below 1/8, where eight terms of the
 /// Taylor series reach double precision.
-inline Pack atan2(const Pack& y, const Pack& x) {
+[[gnu::always_inline]] inline Pack atan2(const Pack& y, const Pack& x) {
   const Pack abs_x = abs(x), abs_y = abs(y);
   const Pack hi = max(abs_x, abs_y), lo = min(abs_x, abs_y);
   Pack c = 0, atan_c = 0;

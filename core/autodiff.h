@@ -8,12 +8,12 @@
 namespace ringlet {
 
 /// The exact derivatives of a kernel that gives only its value, which is evaluated once with dual
-/// numbers over S. Returns the value.
+/// numbers over S. Adds them and returns the value.
 template <class Kernel, class S>
 [[gnu::noinline]] S evaluate_by_autodiff(const Kernel& kernel,
                                          const Stencil<S, Kernel::vertices>& x,
                                          const typename Kernel::template Rest<S>& rest,
-                                         Derivatives<S, Kernel::vertices>& derivatives) {
+                                         ElementOutputs<S, Kernel::vertices> outputs) {
   constexpr int K = Kernel::vertices;
   using Number = Dual<S, 3 * K>;
   using Rest = typename Kernel::template Rest<S>;
@@ -43,10 +43,10 @@ template <class Kernel, class S>
   };
   for (int row = 0; row < K; ++row) {
     const S* gradient = &energy.gradient[3 * row];
-    derivatives.gradient[row] = {gradient[0], gradient[1], gradient[2]};
+    outputs.add_gradient(row, {gradient[0], gradient[1], gradient[2]});
     for (int column = 0; column <= row; ++column) {
       for (int m = 0; m < 9; ++m) {
-        derivatives.block(row, column).m[m] = hessian(3 * row + m / 3, 3 * column + m % 3);
+        outputs.block(row, column).m[m] += hessian(3 * row + m / 3, 3 * column + m % 3);
       }
     }
   }

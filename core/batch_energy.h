@@ -145,22 +145,18 @@ class BatchEnergy final : public Energy, public ElementFunction {
 
   static constexpr bool has_closed_form = ClosedFormKernel<Kernel>;
 
-  /// What the kernel itself is asked for; filter_element() does the rest.
+  /// What the kernel itself is asked for; filters_numerically() says whether more remains.
   template <Filter filter, class S>
   S evaluate_kernel(const Stencil<S, K>& x, const Rest<S>& rest,
-                    Derivatives<S, K>& derivatives) const {
+                    ElementOutputs<S, K> outputs) const {
     if constexpr (has_closed_form) {
-      return kernel_.evaluate(x, rest, filter, derivatives);
+      return kernel_.evaluate(x, rest, filter, outputs);
     } else {
-      return evaluate_by_autodiff(kernel_, x, rest, derivatives);
+      return evaluate_by_autodiff(kernel_, x, rest, outputs);
     }
   }
-  template <class S>
-  void filter_element(Derivatives<S, K>& derivatives) const {
-    const bool unfiltered = !has_closed_form && options_.filter != Filter::exact;
-    if (unfiltered || is_numeric(options_.filter)) {
-      filter_eigenvalues(options_.filter, derivatives);
-    }
+  bool filters_numerically() const {
+    return is_numeric(options_.filter) || (!has_closed_form && options_.filter != Filter::exact);
   }
   /// use.template operator()<F>() with the filter F that the kernel is asked for.
   template <class Use>
@@ -179,6 +175,9 @@ class BatchEnergy final : public Energy, public ElementFunction {
     const Rest<Pack>* rest = &rest_[(*groups_)[group].first_row];
     const bool value_only = outputs.gradient.empty() && outputs.hessian.empty();
     if (value_only) return sum_lanes(add_values(rest, x));
+    if (filters_numerically() || outputs.gradient.empty() || outputs.hessian.empty()) {
+      return sum_lanes(add_apart(rest, x, outputs));
+    }
     return sum_lanes(with_kernel_filter(
         [&]<Filter filter>() { return add_derivatives<filter>(rest, x, outputs); }));
   }
@@ -197,11 +196,29 @@ class BatchEnergy final : public Energy, public ElementFunction {
                                         GroupOutputs outputs) const {
     Pack energy = 0;
     for (int i = 0; i + K <= static_cast<int>(x.size()); ++i) {
+      energy += evaluate_kernel<filter>(
+          window(x, i), rest[i],
+          ElementOutputs<Pack, K>(&outputs.gradient[i], &outputs.hessian.block(i, 0)));
+    }
+    return energy;
+  }
+  /// Each element by itself first, since it is filtered, or not all of it is wanted.
+  Pack add_apart(const Rest<Pack>* rest, std::span<const Vector3<Pack>> x,
+                 GroupOutputs outputs) const {
+    Pack energy = 0;
+    for (int i = 0; i + K <= static_cast<int>(x.size()); ++i) {
       Derivatives<Pack, K> derivatives;
-      energy += evaluate_kernel<filter>(window(x, i), rest[i], derivatives);
-      if constexpr (filter == Filter::exact) filter_element(derivatives);
+      energy += evaluate_element(window(x, i), rest[i], derivatives);
       scatter(derivatives, i, outputs);
     }
+    return energy;
+  }
+  template <class S>
+  S evaluate_element(const Stencil<S, K>& x, const Rest<S>& rest,
+                     Derivatives<S, K>& derivatives) const {
+    const S energy = with_kernel_filter(
+        [&]<Filter filter>() { return evaluate_kernel<filter>(x, rest, derivatives.outputs()); });
+    if (filters_numerically()) filter_eigenvalues(options_.filter, derivatives);
     return energy;
   }
 
@@ -222,14 +239,6 @@ class BatchEnergy final : public Energy, public ElementFunction {
         }
       }
     }
-  }
-
-  double evaluate_element(const Stencil<double, K>& x, const Rest<double>& rest,
-                          Derivatives<double, K>& derivatives) const {
-    const double energy = with_kernel_filter(
-        [&]<Filter filter>() { return evaluate_kernel<filter>(x, rest, derivatives); });
-    filter_element(derivatives);
-    return energy;
   }
 
   double add_one_by_one(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const {

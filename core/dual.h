@@ -125,6 +125,11 @@ Dual<S, N> sqrt(const Dual<S, N>& a) {
   return a.map(root, S(0.5) * inverse, S(-0.25) * inverse * inverse * inverse);
 }
 template <class S, int N>
+Dual<S, N> inverse_sqrt(const Dual<S, N>& a) {
+  const S root = inverse_sqrt(a.value), square = root * root;
+  return a.map(root, S(-0.5) * root * square, S(0.75) * root * square * square);
+}
+template <class S, int N>
 Dual<S, N> exp(const Dual<S, N>& a) {
   const S f = exp(a.value);
   return a.map(f, f, f);

@@ -32,30 +32,21 @@ struct RankOne {
   Stencil<S, K> q;
 };
 
-/// Gradient and Hessian of one element with respect to its K vertices. The lower triangle of the
-/// Hessian is kept, as 3x3 blocks; an energy that adds symmetric terms needs nothing else.
+/// Where one element adds its gradient and its Hessian with respect to its K vertices. Of the
+/// Hessian the lower triangle is kept, as 3x3 blocks in the layout of the strand bands. A view.
 template <class S, int K>
-struct Derivatives {
-  static constexpr int blocks = K * (K + 1) / 2;
+class ElementOutputs {
+ public:
+  /// The gradient of the first vertex, and the first block of its row of the bands.
+  ElementOutputs(Vector3<S>* gradient, Matrix3<S>* blocks) : gradient_(gradient), blocks_(blocks) {}
 
-  std::array<Vector3<S>, K> gradient;
-  std::array<Matrix3<S>, blocks> hessian;
-
-  static Derivatives zero() {
-    Derivatives d;
-    d.gradient.fill({S(0), S(0), S(0)});
-    d.hessian.fill(Matrix3<S>::zero());
-    return d;
-  }
+  void add_gradient(int vertex, const Vector3<S>& gradient) const { gradient_[vertex] += gradient; }
   /// The block at vertices (row, column), row >= column.
-  Matrix3<S>& block(int row, int column) { return hessian[row * (row + 1) / 2 + column]; }
-  const Matrix3<S>& block(int row, int column) const {
-    return hessian[row * (row + 1) / 2 + column];
-  }
-  /// Hessian = sum over the terms of weight q q^T, an entry at a time so that nothing but the
+  Matrix3<S>& block(int row, int column) const { return blocks_[row * band_blocks + row - column]; }
+  /// Hessian += sum over the terms of weight q q^T, an entry at a time so that nothing but the
   /// result is written.
   template <std::size_t N>
-  void set_hessian(const std::array<RankOne<S, K>, N>& terms) {
+  void add_hessian(const std::array<RankOne<S, K>, N>& terms) const {
     using V = Vector3<S>;
     for (int row = 0; row < K; ++row) {
       std::array<V, N> scaled;
@@ -67,23 +58,55 @@ struct Derivatives {
       };
       for (int column = 0; column < row; ++column) {
         Matrix3<S>& target = block(row, column);
-        target.m[0] = entry(&V::x, &V::x, column);
-        target.m[1] = entry(&V::x, &V::y, column);
-        target.m[2] = entry(&V::x, &V::z, column);
-        target.m[3] = entry(&V::y, &V::x, column);
-        target.m[4] = entry(&V::y, &V::y, column);
-        target.m[5] = entry(&V::y, &V::z, column);
-        target.m[6] = entry(&V::z, &V::x, column);
-        target.m[7] = entry(&V::z, &V::y, column);
-        target.m[8] = entry(&V::z, &V::z, column);
+        target.m[0] += entry(&V::x, &V::x, column);
+        target.m[1] += entry(&V::x, &V::y, column);
+        target.m[2] += entry(&V::x, &V::z, column);
+        target.m[3] += entry(&V::y, &V::x, column);
+        target.m[4] += entry(&V::y, &V::y, column);
+        target.m[5] += entry(&V::y, &V::z, column);
+        target.m[6] += entry(&V::z, &V::x, column);
+        target.m[7] += entry(&V::z, &V::y, column);
+        target.m[8] += entry(&V::z, &V::z, column);
       }
       Matrix3<S>& target = block(row, row);
-      target.m[0] = entry(&V::x, &V::x, row);
-      target.m[4] = entry(&V::y, &V::y, row);
-      target.m[8] = entry(&V::z, &V::z, row);
-      target.m[1] = target.m[3] = entry(&V::x, &V::y, row);
-      target.m[2] = target.m[6] = entry(&V::x, &V::z, row);
-      target.m[5] = target.m[7] = entry(&V::y, &V::z, row);
+      target.m[0] += entry(&V::x, &V::x, row);
+      target.m[4] += entry(&V::y, &V::y, row);
+      target.m[8] += entry(&V::z, &V::z, row);
+      const S yx = entry(&V::y, &V::x, row), zx = entry(&V::z, &V::x, row);
+      const S zy = entry(&V::z, &V::y, row);
+      target.m[1] += yx;
+      target.m[3] += yx;
+      target.m[2] += zx;
+      target.m[6] += zx;
+      target.m[5] += zy;
+      target.m[7] += zy;
+    }
+  }
+
+ private:
+  Vector3<S>* gradient_;
+  Matrix3<S>* blocks_;
+};
+
+/// Gradient and Hessian of one element by themselves, at first zero.
+template <class S, int K>
+struct Derivatives {
+  std::array<Vector3<S>, K> gradient;
+  std::array<Matrix3<S>, K * band_blocks> blocks;
+
+  Derivatives() {
+    gradient.fill({S(0), S(0), S(0)});
+    blocks.fill(Matrix3<S>::zero());
+  }
+  ElementOutputs<S, K> outputs() { return {gradient.data(), blocks.data()}; }
+  Matrix3<S>& block(int row, int column) { return outputs().block(row, column); }
+  const Matrix3<S>& block(int row, int column) const {
+    return blocks[row * band_blocks + row - column];
+  }
+  void add_to(ElementOutputs<S, K> target) const {
+    for (int row = 0; row < K; ++row) {
+      target.add_gradient(row, gradient[row]);
+      for (int column = 0; column <= row; ++column) target.block(row, column) += block(row, column);
     }
   }
 };
@@ -117,14 +140,14 @@ concept ElementKernel = requires(const Kernel& kernel, const Stencil<double, Ker
   { kernel.value(x, rest) } -> std::same_as<double>;
 };
 
-/// A kernel that also gives its derivatives in closed form: returns the value, and writes gradient
+/// A kernel that also gives its derivatives in closed form: returns the value, and adds gradient
 /// and Hessian as the filter asks. It is never asked for a numeric filter.
 template <class Kernel>
 concept ClosedFormKernel = ElementKernel<Kernel> &&
     requires(const Kernel& kernel, const Stencil<double, Kernel::vertices>& x,
              const typename Kernel::template Rest<double>& rest, Filter filter,
-             Derivatives<double, Kernel::vertices>& derivatives) {
-  { kernel.evaluate(x, rest, filter, derivatives) } -> std::same_as<double>;
+             ElementOutputs<double, Kernel::vertices> outputs) {
+  { kernel.evaluate(x, rest, filter, outputs) } -> std::same_as<double>;
 };
 
 /// A kernel whose rest state follows from a stiffness and one number, its measure at rest.

@@ -149,7 +149,7 @@ IncrementalPotential::Assembled IncrementalPotential::assemble(
     const bool coupled = matrix.couplings.touches(g);
     const GroupBands bands =
         keep_all || coupled ? matrix.bands.group(g) : matrix.temporary_bands(g);
-    std::fill(bands.blocks().begin(), bands.blocks().end(), Matrix3<Pack>::zero());
+    bands.set_zero();
     const auto rows = gradient.group(g);
     if (model_.collision) {
       matrix.couplings.add_to_bands(g, bands);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,9 @@ class GroupBands {
   int rows() const { return static_cast<int>(blocks_.size()) / band_blocks; }
   Matrix3<Pack>& block(int row, int offset) const { return blocks_[row * band_blocks + offset]; }
   std::span<Matrix3<Pack>> blocks() const { return blocks_; }
+  void set_zero() const {
+    std::memset(static_cast<void*>(blocks_.data()), 0, blocks_.size_bytes());
+  }
 
  private:
   std::span<Matrix3<Pack>> blocks_;

@@ -61,34 +61,35 @@ struct AngleBending {
 
   template <class S>
   S evaluate(const Stencil<S, 3>& x, const Rest<S>& rest, Filter filter,
-             Derivatives<S, 3>& derivatives) const {
+             ElementOutputs<S, 3> outputs) const {
     const Hinge<S> hinge(x, rest.stiffness, rest.shortest_squared);
     switch (filter) {
       case Filter::exact:
-        return evaluate<Filter::exact>(hinge, rest.rest, derivatives);
+        return evaluate<Filter::exact>(hinge, rest.rest, outputs);
       case Filter::gauss_newton:
-        return evaluate<Filter::gauss_newton>(hinge, rest.rest, derivatives);
+        return evaluate<Filter::gauss_newton>(hinge, rest.rest, outputs);
       default:  // the paper's filter of bending is the tight one
-        return evaluate<Filter::tight>(hinge, rest.rest, derivatives);
+        return evaluate<Filter::tight>(hinge, rest.rest, outputs);
     }
   }
 
  private:
   template <Filter filter, class S>
-  static S evaluate(const Hinge<S>& hinge, const S& rest, Derivatives<S, 3>& derivatives) {
+  static S evaluate(const Hinge<S>& hinge, const S& rest, ElementOutputs<S, 3> outputs) {
     const TurningAngle<S> turning = hinge.turning();
     const S g = -Law::first(turning, rest), h = Law::second(turning, rest);
     const Vector3<S> normal = hinge.normal();
-    const S inverse = S(1) / (hinge.n0 * hinge.n1);
+    const S inverse = hinge.inverse_lengths * hinge.inverse_lengths;
     const Vector3<S> t0 = (hinge.n1 * inverse) * hinge.e0, t1 = (hinge.n0 * inverse) * hinge.e1;
     const AnglePlane<S> plane{t0, cross(t0, normal), t1, cross(t1, normal)};
 
     const S force = hinge.stiffness * g;
-    derivatives.gradient[0] = force * plane.b0;
-    derivatives.gradient[2] = -force * plane.b1;
-    derivatives.gradient[1] = -derivatives.gradient[0] - derivatives.gradient[2];
+    const Vector3<S> first = force * plane.b0, last = -force * plane.b1;
+    outputs.add_gradient(0, first);
+    outputs.add_gradient(1, -first - last);
+    outputs.add_gradient(2, last);
     if constexpr (filter == Filter::gauss_newton) {
-      set_hessian(hinge, std::array{gauss_newton_term(plane, h)}, derivatives);
+      add_hessian(hinge, std::array{gauss_newton_term(plane, h)}, outputs);
     } else {
       constexpr std::size_t in_plane = filter == Filter::tight ? 2 : 4;
       constexpr std::size_t off_plane = in_plane / 2;
@@ -97,20 +98,20 @@ struct AngleBending {
       std::copy(in_plane_part.begin(), in_plane_part.end(), terms.begin());
       const auto off_plane_part = off_plane_terms<S, off_plane>(hinge, normal, inverse, g, h);
       std::copy(off_plane_part.begin(), off_plane_part.end(), terms.begin() + in_plane);
-      set_hessian(hinge, terms, derivatives);
+      add_hessian(hinge, terms, outputs);
     }
     return hinge.stiffness * Law::value(turning, rest);
   }
 
   template <class S, std::size_t N>
-  static void set_hessian(const Hinge<S>& hinge, const std::array<PairTerm<S>, N>& pairs,
-                          Derivatives<S, 3>& derivatives) {
+  static void add_hessian(const Hinge<S>& hinge, const std::array<PairTerm<S>, N>& pairs,
+                          ElementOutputs<S, 3> outputs) {
     std::array<RankOne<S, 3>, N> terms;
     for (std::size_t i = 0; i < N; ++i) {
       const PairTerm<S>& pair = pairs[i];
       terms[i] = {hinge.stiffness * pair.weight, {pair.q0, -pair.q0 - pair.q1, pair.q1}};
     }
-    derivatives.set_hessian(terms);
+    outputs.add_hessian(terms);
   }
 
   /// The eigenpairs -g tan(theta/2) of (bh, bh) and g cot(theta/2) of (bh, -bh): the positive one,

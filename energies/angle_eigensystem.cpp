@@ -11,7 +11,8 @@ AngleFrame::AngleFrame(const Eigen::Vector3d& first_edge, const Eigen::Vector3d&
     : t0(first_edge.normalized()), t1(second_edge.normalized()), normal(t0.cross(t1)) {
   const double sine = normal.norm();
   constexpr double rounding = 1e-15;
-  if (!(sine > rounding)) throw Error("the angle between parallel vectors has no second derivative");
+  if (!(sine > rounding))
+    throw Error("the angle between parallel vectors has no second derivative");
   normal /= sine;
   b0 = t0.cross(normal);
   b1 = t1.cross(normal);

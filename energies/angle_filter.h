@@ -34,10 +34,10 @@ struct SplitPair {
 
 template <class S>
 SplitPair<S> split_pair(const S& g, const S& h) {
-  const S radius = sqrt(h * h + g * g);
   // Where both vanish so do the vectors; the weight must stay finite, also times a stiffness.
-  const S weight = S(0.5) / max(radius, S(1e-150));
-  return {weight, h + radius, h - radius};
+  const S squared = max(S(h * h + g * g), S(1e-300));
+  const S inverse = inverse_sqrt(squared), radius = squared * inverse;
+  return {S(0.5) * inverse, h + radius, h - radius};
 }
 
 /// Tangents and normals in the plane of an angle, each divided by the length of its vector.

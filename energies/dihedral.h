@@ -22,7 +22,8 @@ struct Dihedral {
   S sine, cosine;   ///< of tau, times |u||v|
   S torsion;        ///< tau
 
-  Dihedral(const Stencil<S, 4>& x, const S& given_stiffness, const S& shortest_squared)
+  [[gnu::always_inline]] Dihedral(const Stencil<S, 4>& x, const S& given_stiffness,
+                                  const S& shortest_squared)
       : e0(x[0] - x[1]),
         e1(x[2] - x[1]),
         e2(x[3] - x[2]),
@@ -41,7 +42,7 @@ struct Dihedral {
       n2 = select(collapsed, S(1), n2);
       stiffness = select(collapsed, S(0), stiffness);
     }
-    inverse_length = S(1) / sqrt(n1);
+    inverse_length = inverse_sqrt(n1);
     d = inverse_length * e1;
     a = dot(e0, d) * inverse_length;
     c = dot(e2, d) * inverse_length;

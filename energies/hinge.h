@@ -28,14 +28,15 @@ inline TurningAngle<double> turning_angle(double theta) {
 template <class S>
 struct Hinge {
   Vector3<S> e0, e1;
-  S n0, n1;      ///< squared lengths
-  S stiffness;   ///< 0 where the hinge has collapsed
-  Vector3<S> b;  ///< e0 x e1
-  S b_norm;      ///< never 0
+  S n0, n1;                  ///< squared lengths
+  S stiffness;               ///< 0 where the hinge has collapsed
+  Vector3<S> b;              ///< e0 x e1
+  S b_norm, inverse_b_norm;  ///< |b| is never 0
   S e0_dot_e1;
-  S lengths;  ///< |e0||e1|
+  S lengths, inverse_lengths;  ///< of |e0||e1|
 
-  Hinge(const Stencil<S, 3>& x, const S& given_stiffness, const S& shortest_squared)
+  [[gnu::always_inline]] Hinge(const Stencil<S, 3>& x, const S& given_stiffness,
+                               const S& shortest_squared)
       : e0(x[0] - x[1]),
         e1(x[2] - x[1]),
         n0(squared_norm(e0)),
@@ -51,16 +52,24 @@ struct Hinge {
     }
     b = cross(e0, e1);
     e0_dot_e1 = dot(e0, e1);
-    lengths = sqrt(n0 * n1);
+    const S squared_lengths = n0 * n1;
+    inverse_lengths = inverse_sqrt(squared_lengths);
+    lengths = squared_lengths * inverse_lengths;
     // A perfectly straight hinge turns by a trifle, so that ratios of its small angles exist.
-    b_norm = sqrt(max(squared_norm(b), S(S(1e-200) * n0 * n1)));
+    const S squared_b = max(squared_norm(b), S(S(1e-200) * squared_lengths));
+    inverse_b_norm = inverse_sqrt(squared_b);
+    b_norm = squared_b * inverse_b_norm;
   }
 
   /// The smaller of tan(theta/2) and its inverse; nothing cancels in it.
-  S small_half_tangent() const { return b_norm / (lengths + abs(e0_dot_e1)); }
-  S large_half_tangent() const { return (lengths + abs(e0_dot_e1)) / b_norm; }
+  [[gnu::always_inline]] S small_half_tangent() const {
+    return b_norm / (lengths + abs(e0_dot_e1));
+  }
+  [[gnu::always_inline]] S large_half_tangent() const {
+    return (lengths + abs(e0_dot_e1)) * inverse_b_norm;
+  }
 
-  TurningAngle<S> turning() const {
+  [[gnu::always_inline]] TurningAngle<S> turning() const {
     constexpr double most = 1e16;
     const auto acute = e0_dot_e1 > S(0);
     return {atan2(b_norm, S(-e0_dot_e1)),
@@ -68,9 +77,9 @@ struct Hinge {
   }
 
   /// The unit normal of the hinge; of a straight or folded one, any normal to its edges.
-  Vector3<S> normal() const {
+  [[gnu::always_inline]] Vector3<S> normal() const {
     constexpr double rounding = 1e-14;
-    const Vector3<S> unit = S(S(1) / b_norm) * b;
+    const Vector3<S> unit = inverse_b_norm * b;
     const auto flat = b_norm <= rounding * lengths;
     return any(flat) ? select(flat, any_normal(e0), unit) : unit;
   }

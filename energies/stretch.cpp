@@ -18,8 +18,8 @@ struct Stretch {
 
   template <class S>
   struct Rest {
-    S stiffness;  ///< k, J
-    S length;     ///< l, m
+    S stiffness;       ///< k, J
+    S inverse_length;  ///< 1 / l, 1/m
   };
 
   [[no_unique_address]] Parameters parameters;
@@ -28,58 +28,69 @@ struct Stretch {
     const double length = element.lengths[0];
     const double area = circle_area(0.5 * (element.radii[0] + element.radii[1]));
     // An edge without rest length has no strain.
-    if (length == 0) return {0, 1};
-    return {element.material.youngs_modulus * area * length, length};
+    if (length < shortest) return {0, 1};
+    return {element.material.youngs_modulus * area * length, 1 / length};
   }
 
-  Rest<double> rest_of(double stiffness, double length) const { return {stiffness, length}; }
+  Rest<double> rest_of(double stiffness, double length) const { return {stiffness, 1 / length}; }
 
   template <class S>
   S value(const Stencil<S, 2>& x, const Rest<S>& rest) const {
-    const S strain = norm(x[1] - x[0]) * (S(1) / rest.length) - S(1);
+    const S strain = norm(x[1] - x[0]) * rest.inverse_length - S(1);
     return S(0.5) * rest.stiffness * strain * strain;
   }
 
   template <class S>
   S evaluate(const Stencil<S, 2>& x, const Rest<S>& rest, Filter filter,
-             Derivatives<S, 2>& derivatives) const {
+             ElementOutputs<S, 2> outputs) const {
     // Below this fraction of its rest length an edge has no direction of its own; it opens along x.
     constexpr double collapsed = 1e-8;
-    Vector3<S> edge = x[1] - x[0];
-    S length = norm(edge);
-    const S inverse_rest = S(1) / rest.length;
-    const S strain = length * inverse_rest - S(1);
-    const auto has_no_direction = length < collapsed * rest.length;
+    // Relative to the rest length, so that no square underflows.
+    Vector3<S> edge = rest.inverse_length * (x[1] - x[0]);
+    S squared = squared_norm(edge);
+    const auto has_no_direction = squared < S(collapsed * collapsed);
+    S offset = 0;  // of the strain, where the edge is shorter than its stand-in
     if (any(has_no_direction)) {
-      length = select(has_no_direction, S(collapsed * rest.length), length);
-      edge = select(has_no_direction, Vector3<S>{length, S(0), S(0)}, edge);
+      offset = select(has_no_direction, S(sqrt(squared) - collapsed), S(0));
+      squared = select(has_no_direction, S(collapsed * collapsed), squared);
+      edge = select(has_no_direction, Vector3<S>{S(collapsed), S(0), S(0)}, edge);
     }
-    const S inverse_length = S(1) / length;
-    const Vector3<S> t = inverse_length * edge;
-    const S tension = rest.stiffness * inverse_rest * strain;
-    derivatives.gradient[1] = tension * t;
-    derivatives.gradient[0] = -derivatives.gradient[1];
+    const S inverse = inverse_sqrt(squared);
+    // Strains are small differences of lengths: the last digits of the root matter.
+    const S estimate = squared * inverse;
+    const S length = estimate + S(0.5) * inverse * (squared - estimate * estimate);
+    const S strain = length + offset - S(1);
+    const Vector3<S> t = inverse * edge;
+    const S tension = rest.stiffness * rest.inverse_length * strain;
+    outputs.add_gradient(0, -tension * t);
+    outputs.add_gradient(1, tension * t);
 
-    const S along = rest.stiffness * inverse_rest * inverse_rest;
-    S across = tension * inverse_length;
+    const S along = rest.stiffness * rest.inverse_length * rest.inverse_length;
+    S across = tension * rest.inverse_length * inverse;
     if (filter == Filter::tight || filter == Filter::paper) across = max(across, S(0));
     if (filter == Filter::gauss_newton) across = S(0);
     const Vector3<S> difference = (along - across) * t;
-    const auto set = [&](int row, int column, const S& entry) {
-      for (const int m : {3 * row + column, 3 * column + row}) {
-        derivatives.block(0, 0).m[m] = entry;
-        derivatives.block(1, 0).m[m] = -entry;
-        derivatives.block(1, 1).m[m] = entry;
-      }
+    const auto add = [&](int entry, const S& value) {
+      outputs.block(0, 0).m[entry] += value;
+      outputs.block(1, 0).m[entry] -= value;
+      outputs.block(1, 1).m[entry] += value;
     };
-    set(0, 0, difference.x * t.x + across);
-    set(1, 1, difference.y * t.y + across);
-    set(2, 2, difference.z * t.z + across);
-    set(1, 0, difference.x * t.y);
-    set(2, 0, difference.x * t.z);
-    set(2, 1, difference.y * t.z);
+    add(0, difference.x * t.x + across);
+    add(4, difference.y * t.y + across);
+    add(8, difference.z * t.z + across);
+    const S yx = difference.x * t.y, zx = difference.x * t.z, zy = difference.y * t.z;
+    add(1, yx);
+    add(3, yx);
+    add(2, zx);
+    add(6, zx);
+    add(5, zy);
+    add(7, zy);
     return S(0.5) * rest.stiffness * strain * strain;
   }
+
+ private:
+  /// Of a rest length that has an inverse with squares, m.
+  static constexpr double shortest = 1e-150;
 };
 
 }  // namespace

@@ -79,7 +79,7 @@ struct Twist {
 
   template <class S>
   S evaluate(const Stencil<S, 4>& x, const Rest<S>& rest, Filter filter,
-             Derivatives<S, 4>& derivatives) const {
+             ElementOutputs<S, 4> outputs) const {
     Dihedral<S> dihedral(x, rest.stiffness, rest.shortest_squared);
     const S g = wrap_angle(S(dihedral.torsion - rest.angle));
     const S energy = S(0.5) * dihedral.stiffness * g * g;
@@ -89,13 +89,13 @@ struct Twist {
       faded = fade(dihedral);
       dihedral.stiffness = dihedral.stiffness * faded;
     }
-    if (filter == Filter::tight) differentiate<Filter::tight>(dihedral, g, derivatives);
-    if (filter == Filter::paper) differentiate<Filter::paper>(dihedral, g, derivatives);
-    if (filter == Filter::exact) differentiate<Filter::exact>(dihedral, g, derivatives);
+    if (filter == Filter::tight) differentiate<Filter::tight>(dihedral, g, outputs);
+    if (filter == Filter::paper) differentiate<Filter::paper>(dihedral, g, outputs);
+    if (filter == Filter::exact) differentiate<Filter::exact>(dihedral, g, outputs);
     if (filter == Filter::gauss_newton) {
-      differentiate<Filter::gauss_newton>(dihedral, g, derivatives);
+      differentiate<Filter::gauss_newton>(dihedral, g, outputs);
     }
-    if (fading) add_fade_gradient(dihedral, energy, derivatives);
+    if (fading) add_fade_gradient(dihedral, energy, outputs);
     return energy * faded;
   }
 
@@ -122,7 +122,7 @@ struct Twist {
   /// e0)/|e0|^2 with respect to e0 and -2 a u/|e0|^2 with respect to e1.
   template <class S>
   void add_fade_gradient(const Dihedral<S>& dihedral, const S& energy,
-                         Derivatives<S, 4>& derivatives) const {
+                         ElementOutputs<S, 4> outputs) const {
     const Fade<S> first = first_fade(dihedral), last = last_fade(dihedral);
     const S inverse_n0 = S(1) / dihedral.n0, inverse_n2 = S(1) / dihedral.n2;
     const S weight0 = S(2) * energy * first.derivative * last.value * inverse_n0;
@@ -132,20 +132,19 @@ struct Twist {
     const Vector3<S> by_e0 = weight0 * (u - (dihedral.uu * inverse_n0) * dihedral.e0);
     const Vector3<S> by_e2 = weight2 * (v - (dihedral.vv * inverse_n2) * dihedral.e2);
     const Vector3<S> by_e1 = -(weight0 * dihedral.a) * u - (weight2 * dihedral.c) * v;
-    derivatives.gradient[0] += by_e0;
-    derivatives.gradient[1] -= by_e0 + by_e1;
-    derivatives.gradient[2] += by_e1 - by_e2;
-    derivatives.gradient[3] += by_e2;
+    outputs.add_gradient(0, by_e0);
+    outputs.add_gradient(1, -by_e0 - by_e1);
+    outputs.add_gradient(2, by_e1 - by_e2);
+    outputs.add_gradient(3, by_e2);
   }
 
   template <Filter filter, class S>
-  static void differentiate(const Dihedral<S>& dihedral, const S& g,
-                            Derivatives<S, 4>& derivatives) {
+  static void differentiate(const Dihedral<S>& dihedral, const S& g, ElementOutputs<S, 4> outputs) {
     const S& a = dihedral.a;
     const S& c = dihedral.c;
-    const S inverse = S(1) / (dihedral.uu * dihedral.vv);
-    const S inverse_uu = dihedral.vv * inverse, inverse_vv = dihedral.uu * inverse;
-    const Vector3<S> u = inverse_uu * dihedral.u, v = inverse_vv * dihedral.v;
+    const S inverse_u = inverse_sqrt(dihedral.uu), inverse_v = inverse_sqrt(dihedral.vv);
+    const Vector3<S> u = (inverse_u * inverse_u) * dihedral.u;
+    const Vector3<S> v = (inverse_v * inverse_v) * dihedral.v;
     const AnglePlane<S> plane{u, cross(u, dihedral.d), v, cross(v, dihedral.d)};
     const auto to_vertices = [&](const Vector3<S>& q0, const Vector3<S>& q1,
                                  std::array<Vector3<S>, 4>& q) {
@@ -157,7 +156,9 @@ struct Twist {
     };
 
     const S force = dihedral.stiffness * g;
-    to_vertices(force * plane.b0, -force * plane.b1, derivatives.gradient);
+    std::array<Vector3<S>, 4> gradient;
+    to_vertices(force * plane.b0, -force * plane.b1, gradient);
+    for (int n = 0; n < 4; ++n) outputs.add_gradient(n, gradient[n]);
 
     constexpr std::size_t half = filter == Filter::exact ? 4 : 2;
     std::array<RankOne<S, 4>, filter == Filter::gauss_newton ? 1 : 2 * half> terms;
@@ -172,13 +173,13 @@ struct Twist {
       for (std::size_t i = 0; i < half; ++i) set(i, in_plane[i]);
       const std::span<RankOne<S, 4>, half> axial(terms.data() + half, half);
       if constexpr (filter == Filter::paper) {
-        set_paper_axial_terms(dihedral, sqrt(inverse_uu), sqrt(inverse_vv), g, axial);
+        set_paper_axial_terms(dihedral, inverse_u, inverse_v, g, axial);
       } else {
-        set_axial_terms(dihedral, sqrt(inverse_uu), sqrt(inverse_vv), g, axial);
+        set_axial_terms(dihedral, inverse_u, inverse_v, g, axial);
       }
     }
     for (RankOne<S, 4>& term : terms) term.weight = dihedral.stiffness * term.weight;
-    derivatives.set_hessian(terms);
+    outputs.add_hessian(terms);
   }
 
   /// The part of the Hessian that moves u and v along e1. With s = +1 where cos tau >= 0 and -1
@@ -201,8 +202,9 @@ struct Twist {
     const S s = copysign(S(1), dihedral.cosine);
     const S signed_inverse_v = s * inverse_v, scale = inverse_u * signed_inverse_v;
     const S cosine = dihedral.cosine * scale, sine = dihedral.sine * scale;
-    const S m = sqrt(max(S(0.5) + S(0.5) * cosine, S(0.5)));
-    const S half_inverse_m = S(0.5) / m;
+    const S squared_m = max(S(0.5) + S(0.5) * cosine, S(0.5));
+    const S inverse_m = inverse_sqrt(squared_m), m = squared_m * inverse_m;
+    const S half_inverse_m = S(0.5) * inverse_m;
     const Vector3<S> f = (half_inverse_m * inverse_u) * dihedral.u +
                          (half_inverse_m * signed_inverse_v) * dihedral.v;
     const std::array<S, 4> kappa_u{inverse_u, (a - S(1)) * inverse_u, -a * inverse_u, S(0)};
@@ -219,7 +221,8 @@ struct Twist {
         kappa[n] = kappa_u[n] + sign * kappa_v[n];
         squared += kappa[n] * kappa[n];
       }
-      const SplitPair<S> split = split_pair(S(q * sqrt(S(2) * squared)), h_of_f);
+      const S doubled = S(2) * squared;
+      const SplitPair<S> split = split_pair(S(q * doubled * inverse_sqrt(doubled)), h_of_f);
       const auto set_term = [&](RankOne<S, 4>& term, const S& weight, const S& along) {
         const Vector3<S> across = along * direction;
         term.weight = S(0.5) * weight;

@@ -93,7 +93,7 @@ constexpr int prefetch_rows = 4;
 
 }  // namespace
 
-bool factor_bands(GroupBands bands) {
+[[gnu::flatten]] bool factor_bands(GroupBands bands) {
   Mask bad(false);
   for (int i = 0; i < bands.rows(); ++i) {
     with_left_blocks(i, [&](auto left) { factor_row<left>(&bands.block(i, 0), bad); });
@@ -101,7 +101,8 @@ bool factor_bands(GroupBands bands) {
   return !any(bad);
 }
 
-void solve_bands(GroupBands factor, std::span<const Vector3<Pack>> b, std::span<Vector3<Pack>> x) {
+[[gnu::flatten]] void solve_bands(GroupBands factor, std::span<const Vector3<Pack>> b,
+                                  std::span<Vector3<Pack>> x) {
   const int rows = factor.rows();
   for (int i = 0; i < rows; ++i) {
     if (i + prefetch_rows < rows) prefetch(&factor.block(i + prefetch_rows, 0));

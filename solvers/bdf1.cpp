@@ -41,9 +41,7 @@ class Bdf1 final : public Integrator {
   StepReport step(Model& model, State& state) override {
     StepReport report;
     const double time_end = state.time + dt_;
-    target_ = state.positions;
-    add_scaled(target_, dt_, state.velocities);
-    positions_ = state.positions;
+    predict(state);
     carry_strands_with_pins(model, state.time, time_end, positions_);
 
     for (const auto& force : model.forces) force->begin_step({state, dt_, model.energies});
@@ -54,9 +52,7 @@ class Bdf1 final : public Integrator {
     newton_.minimise(model, IncrementalPotential(model, target_, dt_), dt_, positions_, report);
     if (!report.failure.empty()) return report;
 
-    state.velocities = positions_;
-    add_scaled(state.velocities, -1, state.positions);
-    for (Vector3<Pack>& v : state.velocities.rows()) v = Pack(1 / dt_) * v;
+    update_velocities(state);
     std::swap(state.positions, positions_);
     state.time = time_end;
     report.kinetic_energy = kinetic_energy(model, state.velocities);
@@ -64,6 +60,26 @@ class Bdf1 final : public Integrator {
   }
 
  private:
+  /// y = x + dt v, and x as the first guess.
+  void predict(const State& state) {
+    parallel_for_each(target_.groups().count(), [&](int g) {
+      const auto x = state.positions.group(g), v = state.velocities.group(g);
+      const auto y = target_.group(g), guess = positions_.group(g);
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        y[i] = x[i] + Pack(dt_) * v[i];
+        guess[i] = x[i];
+      }
+    });
+  }
+  /// v = (x - x_n) / dt.
+  void update_velocities(State& state) const {
+    parallel_for_each(target_.groups().count(), [&](int g) {
+      const auto x = positions_.group(g), x_n = std::as_const(state.positions).group(g);
+      const auto v = state.velocities.group(g);
+      for (std::size_t i = 0; i < x.size(); ++i) v[i] = Pack(1 / dt_) * (x[i] - x_n[i]);
+    });
+  }
+
   double dt_;
   Newton newton_;
   VertexField target_, positions_;

@@ -15,11 +15,12 @@ struct InverseTriangle {
 
 /// Factors the symmetric matrix whose lower triangle is s (entries as above). Sets the lanes of
 /// `bad` in which a pivot is not positive and finite; the result is not usable there.
-inline InverseTriangle inverse_cholesky(const std::array<Pack, 6>& s, Mask& bad) {
+[[gnu::always_inline]] inline InverseTriangle inverse_cholesky(const std::array<Pack, 6>& s,
+                                                               Mask& bad) {
   const Pack largest = std::numeric_limits<double>::max();
   const auto inverse_root = [&](const Pack& pivot) {
     bad = bad || !(pivot > 0 && pivot <= largest);
-    return Pack(1 / sqrt(pivot));
+    return inverse_sqrt(pivot);
   };
   const Pack t00 = inverse_root(s[0]);
   const Pack l10 = s[1] * t00;

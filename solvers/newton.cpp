@@ -153,11 +153,12 @@ void Newton::measure_direction() {
 /// unchanged.
 bool Newton::search_line(Model& model, const IncrementalPotential& potential, VertexField& x,
                          StepReport& report) {
-  const StageTimer timer(report.seconds.line_search);
   double alpha = 1;
   for (int halvings = 0; halvings <= halving_limit; ++halvings, alpha /= 2) {
-    trial_ = x;
-    add_scaled(trial_, -alpha, direction_);
+    parallel_for_each(model.groups.count(), [&](int g) {
+      const auto from = x.group(g), d = direction_.group(g), trial = trial_.group(g);
+      for (std::size_t i = 0; i < d.size(); ++i) trial[i] = from[i] - Pack(alpha) * d[i];
+    });
     // The whole step is nearly always good. Where another iteration follows at the same contacts
     // it is tried with all derivatives at once: its value costs nothing then.
     const bool goes_on = !report.newton_converged && !model.collision &&
@@ -165,6 +166,7 @@ bool Newton::search_line(Model& model, const IncrementalPotential& potential, Ve
     if (halvings == 0 && goes_on) {
       if (try_next_iteration(model, potential, x, report)) return true;
     } else {
+      const StageTimer timer(report.seconds.line_search);
       PotentialTerms terms = potential.value(trial_);
       if (falls_enough(terms, alpha)) {
         std::swap(x, trial_);

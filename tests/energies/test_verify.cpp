@@ -51,16 +51,18 @@ struct WrongBending {
   }
   template <class S>
   S evaluate(const Stencil<S, 3>& x, const Rest<S>& rest, Filter filter,
-             Derivatives<S, 3>& derivatives) const {
-    const S energy = evaluate_by_autodiff(*this, x, rest, derivatives);
+             ElementOutputs<S, 3> outputs) const {
+    Derivatives<S, 3> derivatives;
+    const S energy = evaluate_by_autodiff(*this, x, rest, derivatives.outputs());
     if (wrong == Wrong::sign) {
       for (Vector3<S>& slope : derivatives.gradient) slope = -slope;
     }
     if (wrong == Wrong::factor) {
-      for (Matrix3<S>& block : derivatives.hessian) block = S(2) * block;
+      for (Matrix3<S>& block : derivatives.blocks) block = S(2) * block;
     }
     if (wrong == Wrong::asymmetric) derivatives.block(1, 1).m[1] += rest.stiffness;
     if (filter != Filter::exact) filter_eigenvalues(Filter::clamp, derivatives);
+    derivatives.add_to(outputs);
     return energy;
   }
 };

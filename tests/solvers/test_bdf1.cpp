@@ -72,7 +72,8 @@ TEST_CASE("internal energies keep the momentum, and damping only takes energy aw
     const StepReport report = integrator->step(*model, state);
     REQUIRE(report.failure.empty());
     CHECK((momentum(*model, state) - start).norm() < 1e-10 * start.norm());
-    CHECK(report.kinetic_energy + report.energies[0] <= (1 + 1e-12) * energy);
+    // But for what the Newton tolerance leaves open.
+    CHECK(report.kinetic_energy + report.energies[0] <= (1 + 1e-9) * energy);
     energy = report.kinetic_energy + report.energies[0];
   }
   CHECK(energy < 0.5 * start_energy);
