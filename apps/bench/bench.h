@@ -23,6 +23,9 @@ struct Bench {
 const std::vector<Bench>& all_benches();
 
 std::vector<BenchTable> bench_filters(const Registry& registry, const BenchOptions& options);
+std::vector<BenchTable> bench_step(const Registry& registry, const BenchOptions& options);
+std::vector<BenchTable> bench_strand(const Registry& registry, const BenchOptions& options);
+std::vector<BenchTable> bench_solvers(const Registry& registry, const BenchOptions& options);
 
 /// A scene of apps/scenes, which the program carries along.
 Json bundled_scene(const std::string& name);

@@ -19,6 +19,12 @@ TEST_CASE("verify prints a table and says whether all claims hold") {
   CHECK_THAT(result.output, Catch::Contains("seed 7, 1 trials of each state; all claims hold"));
   CHECK(place.run({"verify", "twist", "--trials", "1", "--set", "/fade=0.01"}).exit_code == 0);
 
+  // Where twist fades its Hessian is not the derivative of its gradient.
+  const ProgramResult faded = place.run({"verify", "twist", "--trials", "1", "--set", "/fade=1"});
+  CHECK(faded.exit_code == 1);
+  CHECK_THAT(faded.output, Catch::Contains("FAILED: nearly straight"));
+  CHECK_THAT(faded.output, Catch::Contains("claims do not hold"));
+
   const ProgramResult unknown = place.run({"verify", "twsit"});
   CHECK(unknown.exit_code == 2);
   CHECK_THAT(unknown.errors, Catch::Contains("did you mean 'twist'"));

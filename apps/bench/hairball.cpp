@@ -1,0 +1,80 @@
+#include "apps/bench/hairball.h"
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "apps/bench/bench.h"
+
+namespace ringlet {
+namespace {
+
+double quantile(std::vector<double> values, double part) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+}
+
+}  // namespace
+
+Json hairball(int wisps) {
+  Json scene = bundled_scene("hairball_2000");
+  const double scale = std::sqrt(2000.0 / wisps);
+  scene["strands"]["count"] = wisps;
+  for (const char* key : {"radius", "tip_radius"}) {
+    scene["material"][key] = scale * scene["material"][key].get<double>();
+  }
+  if (wisps >= 8000) scene["collision"]["thickness"] = 5e-4;
+  scene["run"]["write"] = Json::array();
+  return scene;
+}
+
+Json hairball_without_contacts(int wisps) {
+  Json scene = hairball(wisps);
+  scene["collision"] = nullptr;
+  scene["solver"] = "strand_cholesky";
+  scene["integrator"]["newton_tolerance"] = 0;
+  return scene;
+}
+
+void with_threads(int threads, const std::function<void()>& function) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  tbb::task_arena(threads).execute(function);
+}
+
+StepFigures measure_steps(const Registry& registry, const Json& scene, int first, int last) {
+  using Clock = std::chrono::steady_clock;
+  Simulation simulation(read_scene(scene, registry, "."));
+  std::vector<StepReport> reports;
+  std::vector<double> seconds;
+  for (int step = 1; step <= last; ++step) {
+    const Clock::time_point start = Clock::now();
+    StepReport report = simulation.step();
+    if (!report.failure.empty()) throw Error(report.failure);
+    if (step < first) continue;
+    seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+    reports.push_back(std::move(report));
+  }
+  const auto median = [&](const auto& value) {
+    std::vector<double> values;
+    for (const StepReport& report : reports) values.push_back(value(report));
+    return quantile(std::move(values), 0.5);
+  };
+  StepFigures figures;
+  figures.seconds = quantile(seconds, 0.5);
+  figures.spread = quantile(seconds, 0.75) - quantile(seconds, 0.25);
+  figures.stages.detect = median([](const StepReport& r) { return r.seconds.detect; });
+  figures.stages.evaluate = median([](const StepReport& r) { return r.seconds.evaluate; });
+  figures.stages.solve = median([](const StepReport& r) { return r.seconds.solve; });
+  figures.stages.line_search = median([](const StepReport& r) { return r.seconds.line_search; });
+  figures.newton_iterations = median([](const StepReport& r) { return r.newton_iterations; });
+  figures.linear_iterations = median([](const StepReport& r) { return r.linear_iterations; });
+  figures.contacts = median([](const StepReport& r) {
+    return r.contacts.strand_contacts + r.contacts.collider_contacts;
+  });
+  return figures;
+}
+
+}  // namespace ringlet

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+
+#include "core/simulation.h"
+
+namespace ringlet {
+
+/// The hairball of Lifted Curls with that many wisps, as paper.md scales it: radii by sqrt(2000/N),
+/// half the thickness for 8,000; nothing is written.
+Json hairball(int wisps);
+/// Without collision, three Newton iterations in every step.
+Json hairball_without_contacts(int wisps);
+
+/// Calls the function with that many threads at most.
+void with_threads(int threads, const std::function<void()>& function);
+
+/// Medians over the steps of a simulation.
+struct StepFigures {
+  double seconds = 0, spread = 0;  ///< of a whole step; between the quartiles
+  StageSeconds stages;
+  double newton_iterations = 0, linear_iterations = 0, contacts = 0;
+};
+
+/// Runs the scene and measures the steps from first to last, counted from 1. Throws Error if one of
+/// them fails.
+StepFigures measure_steps(const Registry& registry, const Json& scene, int first, int last);
+
+}  // namespace ringlet
