@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "core/read_choice.h"
+
 namespace ringlet {
 namespace {
 
@@ -27,9 +29,7 @@ class CaseEnergies {
     std::unique_ptr<Energy>& energy = energies_[{name, filter}];
     if (energy == nullptr) {
       std::vector<Problem> own;
-      ParseContext context{registry_, ".", {}, own};
-      Choice<Energy> choice;
-      Codec<Choice<Energy>>::read({{"type", name}, {"filter", filter}}, "", {}, context, choice);
+      const auto choice = read_choice<Energy>(registry_, {{"type", name}, {"filter", filter}}, own);
       for (const Problem& problem : own) problems.push_back({pointer, problem.message});
       if (!own.empty()) return nullptr;
       energy = choice.make();

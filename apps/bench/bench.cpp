@@ -2,14 +2,13 @@
 
 namespace ringlet {
 
-const std::vector<Bench>& all_benches() {
-  static const std::vector<Bench> benches{
+std::vector<Bench> all_benches() {
+  return {
       {"filters", "what each filter of the Hessian costs, and how many Newton iterations it takes",
        bench_filters},
       {"step", "a step of the hairball, from 500 to 8,000 wisps, stage by stage", bench_step},
       {"strand", "a step of the single strands of the paper", bench_strand},
       {"solvers", "linear solvers on one system of the hairball", bench_solvers}};
-  return benches;
 }
 
 }  // namespace ringlet

@@ -20,7 +20,7 @@ struct Bench {
 };
 
 /// All of them, in the order in which they are run.
-const std::vector<Bench>& all_benches();
+std::vector<Bench> all_benches();
 
 std::vector<BenchTable> bench_filters(const Registry& registry, const BenchOptions& options);
 std::vector<BenchTable> bench_step(const Registry& registry, const BenchOptions& options);

@@ -1,8 +1,10 @@
 // What the filters of the Hessian cost, how far they are above the numeric clamp, and how many
 // Newton iterations they take.
 
-#include <Eigen/Eigenvalues>
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
+#include <numeric>
 
 #include "apps/bench/bench.h"
 #include "apps/bench/timing.h"
@@ -120,11 +122,8 @@ BenchTable bench_newton(const Registry& registry, const BenchOptions& options) {
     for (const std::string& scene : scenes) {
       const auto counts = options.quick() ? newton_iterations(registry, scene, name, 1, 2)
                                           : newton_iterations(registry, scene, name, 30, 2000);
-      double sum = 0;
-      for (const int count : counts) sum += count;
-      char text[32];
-      std::snprintf(text, sizeof text, "%d / %.1f", counts[0], sum / counts.size());
-      row.push_back(text);
+      const double sum = std::accumulate(counts.begin(), counts.end(), 0.0);
+      row.push_back(fmt::format("{} / {:.1f}", counts[0], sum / counts.size()));
     }
     table.rows.push_back(row);
   }

@@ -3,21 +3,12 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "apps/bench/bench.h"
 
 namespace ringlet {
-namespace {
-
-double quantile(std::vector<double> values, double part) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
-}
-
-}  // namespace
 
 Json hairball(int wisps) {
   Json scene = bundled_scene("hairball_2000");
@@ -57,21 +48,20 @@ StepFigures measure_steps(const Registry& registry, const Json& scene, int first
     seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
     reports.push_back(std::move(report));
   }
-  const auto median = [&](const auto& value) {
+  const auto median_of = [&](const auto& value) {
     std::vector<double> values;
     for (const StepReport& report : reports) values.push_back(value(report));
-    return quantile(std::move(values), 0.5);
+    return median(std::move(values));
   };
   StepFigures figures;
-  figures.seconds = quantile(seconds, 0.5);
-  figures.spread = quantile(seconds, 0.75) - quantile(seconds, 0.25);
-  figures.stages.detect = median([](const StepReport& r) { return r.seconds.detect; });
-  figures.stages.evaluate = median([](const StepReport& r) { return r.seconds.evaluate; });
-  figures.stages.solve = median([](const StepReport& r) { return r.seconds.solve; });
-  figures.stages.line_search = median([](const StepReport& r) { return r.seconds.line_search; });
-  figures.newton_iterations = median([](const StepReport& r) { return r.newton_iterations; });
-  figures.linear_iterations = median([](const StepReport& r) { return r.linear_iterations; });
-  figures.contacts = median([](const StepReport& r) {
+  figures.step = summarise(std::move(seconds));
+  figures.stages.detect = median_of([](const StepReport& r) { return r.seconds.detect; });
+  figures.stages.evaluate = median_of([](const StepReport& r) { return r.seconds.evaluate; });
+  figures.stages.solve = median_of([](const StepReport& r) { return r.seconds.solve; });
+  figures.stages.line_search = median_of([](const StepReport& r) { return r.seconds.line_search; });
+  figures.newton_iterations = median_of([](const StepReport& r) { return r.newton_iterations; });
+  figures.linear_iterations = median_of([](const StepReport& r) { return r.linear_iterations; });
+  figures.contacts = median_of([](const StepReport& r) {
     return r.contacts.strand_contacts + r.contacts.collider_contacts;
   });
   return figures;

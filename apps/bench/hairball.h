@@ -2,12 +2,13 @@
 
 #include <functional>
 
+#include "apps/bench/timing.h"
 #include "core/simulation.h"
 
 namespace ringlet {
 
-/// The hairball of Lifted Curls with that many wisps, as paper.md scales it: radii by sqrt(2000/N),
-/// half the thickness for 8,000; nothing is written.
+/// The hairball of Lifted Curls with that many wisps, as the paper scales it: radii by
+/// sqrt(2000/N), half the thickness for 8,000; nothing is written.
 Json hairball(int wisps);
 /// Without collision, three Newton iterations in every step.
 Json hairball_without_contacts(int wisps);
@@ -17,7 +18,7 @@ void with_threads(int threads, const std::function<void()>& function);
 
 /// Medians over the steps of a simulation.
 struct StepFigures {
-  double seconds = 0, spread = 0;  ///< of a whole step; between the quartiles
+  Timing step;  ///< of a whole step
   StageSeconds stages;
   double newton_iterations = 0, linear_iterations = 0, contacts = 0;
 };

@@ -1,29 +1,16 @@
 // The linear solvers, each on the system of one and the same Newton iteration.
 
-#include <chrono>
-
 #include "apps/bench/bench.h"
 #include "apps/bench/hairball.h"
+#include "apps/bench/timing.h"
 #include "core/incremental_potential.h"
+#include "core/read_choice.h"
 
 namespace ringlet {
 namespace {
 
-double seconds_of(const std::function<void()>& function) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  function();
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-std::unique_ptr<LinearSolver> make_solver(const Registry& registry, const Json& json) {
-  std::vector<Problem> problems;
-  ParseContext context{registry, ".", {}, problems};
-  Choice<LinearSolver> choice;
-  Codec<Choice<LinearSolver>>::read(json, "", {}, context, choice);
-  if (!problems.empty()) throw InvalidInput(problems);
-  return choice.make();
-}
+/// Of one call, s.
+double seconds_of(const std::function<void()>& function) { return measure(function, 0).median; }
 
 /// The first Newton iteration of the next step of a simulation.
 class NewtonSystem {
@@ -82,7 +69,7 @@ std::vector<BenchTable> bench_solvers(const Registry& registry, const BenchOptio
         {"pcg, jacobi", pcg("jacobi")},
         {"pcg, none", pcg(nullptr)},
         {"cholesky", "cholesky"}}) {
-    table.rows.push_back(system.measure(name, *make_solver(registry, json)));
+    table.rows.push_back(system.measure(name, *make_chosen<LinearSolver>(registry, json)));
   }
   return {table};
 }

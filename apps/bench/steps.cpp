@@ -12,8 +12,8 @@ std::vector<Json> row(int wisps, const char* contacts, int threads, const StepFi
   return {wisps,
           contacts,
           threads,
-          figures.seconds / milli,
-          figures.spread / milli,
+          figures.step.median / milli,
+          figures.step.spread / milli,
           figures.stages.detect / milli,
           figures.stages.evaluate / milli,
           figures.stages.solve / milli,
@@ -66,9 +66,9 @@ std::vector<BenchTable> bench_strand(const Registry& registry, const BenchOption
     json["integrator"]["newton_tolerance"] = 0;
     with_threads(1, [&, name = scene, paper_seconds = paper] {
       const StepFigures figures = measure_steps(registry, json, 2, options.quick() ? 3 : 30);
-      table.rows.push_back({name, figures.seconds / milli, figures.spread / milli,
+      table.rows.push_back({name, figures.step.median / milli, figures.step.spread / milli,
                             figures.stages.evaluate / milli, figures.stages.line_search / milli,
-                            paper_seconds / milli, paper_seconds / figures.seconds});
+                            paper_seconds / milli, paper_seconds / figures.step.median});
     });
   }
   return {table};

@@ -2,9 +2,26 @@
 
 #include <algorithm>
 #include <chrono>
-#include <vector>
+#include <utility>
 
 namespace ringlet {
+namespace {
+
+double quantile(const std::vector<double>& sorted, double part) {
+  return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return quantile(values, 0.5);
+}
+
+Timing summarise(std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  return {quantile(seconds, 0.5), quantile(seconds, 0.75) - quantile(seconds, 0.25)};
+}
 
 Timing measure(const std::function<void()>& function, double seconds) {
   using Clock = std::chrono::steady_clock;
@@ -20,11 +37,7 @@ Timing measure(const std::function<void()>& function, double seconds) {
     function();
     durations.push_back(since(start));
   } while (seconds > 0 && (durations.size() < least || since(begin) < seconds));
-  std::sort(durations.begin(), durations.end());
-  const auto quantile = [&](double part) {
-    return durations[static_cast<std::size_t>(part * static_cast<double>(durations.size() - 1))];
-  };
-  return {quantile(0.5), quantile(0.75) - quantile(0.25)};
+  return summarise(std::move(durations));
 }
 
 }  // namespace ringlet

@@ -25,7 +25,8 @@ struct DeformedStrands {
   Points rest, x;
 };
 
-Probe sum_one_by_one(const Subject& subject, const std::string& filter, const DeformedStrands& strands) {
+Probe sum_one_by_one(const Subject& subject, const std::string& filter,
+                     const DeformedStrands& strands) {
   const auto entries = strands.x.size();
   Probe sum{0, Eigen::VectorXd::Zero(entries), Eigen::MatrixXd::Zero(entries, entries), 0};
   int first = 0;
@@ -72,9 +73,7 @@ void claim_assembly(const Subject& subject, std::vector<Claim>& claims) {
   Claim scalar{"lanes compute what plain doubles do", allowed};
   const bool has_scalar = subject.energy("", {{"evaluation", "scalar"}}) != nullptr;
   std::mt19937_64 random(subject.seed);
-  std::vector<std::string> filters = subject.filters;
-  if (filters.empty()) filters = {""};
-  for (const std::string& filter : filters) {
+  for (const std::string& filter : subject.variants()) {
     DeformedStrands strands{strand_sizes(subject.vertices), {}, {}};
     const int count = std::accumulate(strands.sizes.begin(), strands.sizes.end(), 0);
     strands.rest = random_points(random, count);

@@ -2,15 +2,6 @@
 
 namespace ringlet {
 
-namespace {
-
-double indefiniteness(const Eigen::MatrixXd& hessian) {
-  const double scale = hessian.cwiseAbs().maxCoeff();
-  return scale == 0 ? 0 : std::max(0.0, -smallest_eigenvalue(hessian / scale));
-}
-
-}  // namespace
-
 void claim_degenerate(const Subject& subject, std::vector<Claim>& claims) {
   Claim finite{"finite in degenerate states", 0};
   Claim semidefinite{"positive semi-definite in degenerate states", 1e-9};
@@ -18,9 +9,7 @@ void claim_degenerate(const Subject& subject, std::vector<Claim>& claims) {
   std::vector<NamedShape> rests = singular_shapes(subject.vertices);
   rests.push_back({"generic", random_strand(random, subject.vertices, Shape::generic)});
   const std::vector<NamedShape> shapes = degenerate_shapes(random, subject.vertices);
-  std::vector<std::string> filters = subject.filters;
-  if (filters.empty()) filters = {""};
-  for (const std::string& filter : filters) {
+  for (const std::string& filter : subject.variants()) {
     for (const NamedShape& rest : rests) {
       const BoundEnergy energy(subject.energy(filter), rest.x);
       for (const NamedShape& shape : shapes) {
@@ -30,7 +19,7 @@ void claim_degenerate(const Subject& subject, std::vector<Claim>& claims) {
         const bool is_finite = probe.is_finite() && std::isfinite(energy.value(shape.x));
         finite.see(is_finite ? 0 : std::nan(""), name);
         if (filter == "exact" || !is_finite) continue;
-        semidefinite.see(indefiniteness(probe.hessian), name);
+        semidefinite.see(negative_part(probe.hessian, largest_entry(probe.hessian)), name);
       }
     }
   }

@@ -1,5 +1,4 @@
 #include <Eigen/Eigenvalues>
-#include <map>
 
 #include "core/verify/subject.h"
 
@@ -21,12 +20,6 @@ struct FilterClaims {
   bool is_majorant() const { return filter != "gauss_newton"; }
 };
 
-double deficit(const Eigen::MatrixXd& matrix, double scale) {
-  return scale == 0 ? 0 : std::max(0.0, -smallest_eigenvalue(matrix / scale));
-}
-
-double largest_entry(const Eigen::MatrixXd& matrix) { return matrix.cwiseAbs().maxCoeff(); }
-
 Eigen::MatrixXd filter_densely(const Eigen::MatrixXd& exact, bool absolute) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(exact);
   const Eigen::VectorXd eigenvalues =
@@ -37,12 +30,12 @@ Eigen::MatrixXd filter_densely(const Eigen::MatrixXd& exact, bool absolute) {
 void see(const Subject& subject, const VerifyState& state, FilterClaims& claims) {
   const BoundEnergy energy = subject.bound(claims.filter, state);
   const Eigen::MatrixXd filtered = energy.at(state.x).hessian;
-  claims.semidefinite.see(deficit(filtered, largest_entry(filtered)), state.name);
+  claims.semidefinite.see(negative_part(filtered, largest_entry(filtered)), state.name);
   if (!subject.has_filter("exact")) return;
   const BoundEnergy unfiltered = subject.bound("exact", state);
   const Eigen::MatrixXd exact = unfiltered.at(state.x).hessian;
   claims.majorant.see(
-      deficit(filtered - exact, std::max(largest_entry(filtered), largest_entry(exact))),
+      negative_part(filtered - exact, std::max(largest_entry(filtered), largest_entry(exact))),
       state.name);
   claims.rest.see(
       relative_difference(energy.at(state.rest).hessian, unfiltered.at(state.rest).hessian, 0),
@@ -56,13 +49,11 @@ void see(const Subject& subject, const VerifyState& state, FilterClaims& claims)
 }  // namespace
 
 void claim_filters(const Subject& subject, std::vector<Claim>& claims) {
-  std::vector<std::string> filters = subject.filters;
-  if (filters.empty()) filters = {""};
-  for (const std::string& filter : filters) {
+  for (const std::string& filter : subject.variants()) {
     if (filter == "exact") continue;
     FilterClaims own{filter};
     for (const VerifyState& state : subject.states) see(subject, state, own);
-    for (const VerifyState& state : subject.near_ones) see(subject, state, own);
+    for (const VerifyState& state : subject.near_states) see(subject, state, own);
     claims.push_back(std::move(own.semidefinite));
     if (!subject.has_filter("exact")) continue;
     if (own.is_majorant()) claims.push_back(std::move(own.majorant));

@@ -66,8 +66,8 @@ void see(const Subject& subject, const VerifyState& state, std::mt19937_64& rand
   claims.rest.see(relative_difference(at_rest, 0 * at_rest, probe.gradient.cwiseAbs().maxCoeff()),
                   state.name);
   const Points here = rounded(state.x);
-  const BoundEnergy exact_rest(subject.energy(""), rounded(state.rest));
-  claims.far_away.see(difference(exact_rest.at(here.array() + 1024), exact_rest.at(here), edge),
+  const BoundEnergy bound_here(subject.energy(""), rounded(state.rest));
+  claims.far_away.see(difference(bound_here.at(here.array() + 1024), bound_here.at(here), edge),
                       state.name);
 }
 

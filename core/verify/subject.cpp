@@ -60,12 +60,16 @@ Subject::Subject(const EnergyMaker& maker, const VerifyOptions& options)
   vertices = smallest_strand(make, random);
   filters = offered_filters(make);
   add_states(random, vertices, 0.02, options.trials, states);
-  add_states(random, vertices, 1e-6, options.trials, near_ones);
-  add_states(random, vertices, 1e-12, options.trials, near_ones);
+  add_states(random, vertices, 1e-6, options.trials, near_states);
+  add_states(random, vertices, 1e-12, options.trials, near_states);
 }
 
 bool Subject::has_filter(const std::string& name) const {
   return std::find(filters.begin(), filters.end(), name) != filters.end();
+}
+
+std::vector<std::string> Subject::variants() const {
+  return filters.empty() ? std::vector<std::string>{""} : filters;
 }
 
 std::unique_ptr<Energy> Subject::energy(const std::string& filter, Json keys) const {
@@ -75,6 +79,12 @@ std::unique_ptr<Energy> Subject::energy(const std::string& filter, Json keys) co
 
 BoundEnergy Subject::bound(const std::string& filter, const VerifyState& state) const {
   return BoundEnergy(energy(filter), state.rest);
+}
+
+double largest_entry(const Eigen::MatrixXd& matrix) { return matrix.cwiseAbs().maxCoeff(); }
+
+double negative_part(const Eigen::MatrixXd& matrix, double scale) {
+  return scale == 0 ? 0 : std::max(0.0, -smallest_eigenvalue(matrix / scale));
 }
 
 double relative_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double least) {

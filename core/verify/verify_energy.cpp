@@ -1,25 +1,18 @@
 #include "core/verify/verify_energy.h"
 
+#include "core/read_choice.h"
 #include "core/verify/subject.h"
 
 namespace ringlet {
 
 EnergyMaker energy_maker(const Registry& registry, const Json& choice) {
-  const auto read = [&registry](const Json& json, std::vector<Problem>& problems) {
-    ParseContext context{registry, ".", {}, problems};
-    Choice<Energy> energy;
-    Codec<Choice<Energy>>::read(json, "", {}, context, energy);
-    return energy;
-  };
-  std::vector<Problem> problems;
-  read(choice, problems);
-  if (!problems.empty()) throw InvalidInput(problems);
+  make_chosen<Energy>(registry, choice);
   const Json object = choice.is_string() ? Json{{"type", choice}} : choice;
-  return [read, object](const Json& keys) -> std::unique_ptr<Energy> {
+  return [&registry, object](const Json& keys) -> std::unique_ptr<Energy> {
     Json all = object;
     all.update(keys);
     std::vector<Problem> refused;
-    const Choice<Energy> energy = read(all, refused);
+    const auto energy = read_choice<Energy>(registry, all, refused);
     return refused.empty() ? energy.make() : nullptr;
   };
 }

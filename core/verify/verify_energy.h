@@ -13,10 +13,10 @@ namespace ringlet {
 /// One thing that an energy claims, and the worst that was seen of it.
 struct Claim {
   std::string text;
-  double allowed;           ///< the largest relative error that is rounding
-  double worst = 0;         ///< NaN: something was not finite
-  std::string worst_state = {}; ///< where the worst was seen
-  int states = 0;           ///< how many were tried
+  double allowed;                ///< the largest relative error that is rounding
+  double worst = 0;              ///< NaN: something was not finite
+  std::string worst_state = {};  ///< where the worst was seen
+  int states = 0;                ///< how many were tried
 
   void see(double error, const std::string& state);
   bool holds() const { return states > 0 && worst <= allowed; }
@@ -27,7 +27,7 @@ struct Claim {
 using EnergyMaker = std::function<std::unique_ptr<Energy>(const Json& keys)>;
 
 /// The energy that a scene chooses by its name or by {"type": NAME, ...}. Throws InvalidInput if
-/// there is no such energy, or its parameters are wrong.
+/// there is no such energy, or its parameters are wrong. The registry must outlive it.
 EnergyMaker energy_maker(const Registry& registry, const Json& choice);
 
 struct VerifyOptions {

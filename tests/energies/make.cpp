@@ -1,5 +1,6 @@
 #include "tests/energies/make.h"
 
+#include "core/read_choice.h"
 #include "energies/modules.h"
 
 namespace ringlet::test {
@@ -10,12 +11,7 @@ template <class Interface>
 std::unique_ptr<Interface> make(const Json& json) {
   Registry registry;
   register_energies(registry);
-  std::vector<Problem> problems;
-  ParseContext context{registry, ".", {}, problems};
-  Choice<Interface> choice;
-  Codec<Choice<Interface>>::read(json, "", {}, context, choice);
-  if (!problems.empty()) throw InvalidInput(problems);
-  return choice.make();
+  return make_chosen<Interface>(registry, json);
 }
 
 }  // namespace

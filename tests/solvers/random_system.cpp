@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/parallel.h"
-#include "core/registry.h"
+#include "core/read_choice.h"
 #include "solvers/modules.h"
 #include "tests/catch.h"
 
@@ -176,12 +176,7 @@ double relative_difference(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b)
 std::unique_ptr<LinearSolver> make_solver(const Json& json) {
   Registry registry;
   register_solvers(registry);
-  std::vector<Problem> problems;
-  ParseContext context{registry, {}, {}, problems};
-  Choice<LinearSolver> choice;
-  Codec<Choice<LinearSolver>>::read(json, "", {}, context, choice);
-  for (const Problem& problem : problems) FAIL(problem.pointer << ": " << problem.message);
-  return choice.make();
+  return make_chosen<LinearSolver>(registry, json);
 }
 
 Prepared::Prepared(LinearSolver& solver, const SystemMatrix& a, VertexField b)
