@@ -1,3 +1,5 @@
+#include <Eigen/Geometry>
+
 #include "core/verify/subject.h"
 
 namespace ringlet {
