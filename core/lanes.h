@@ -6,14 +6,11 @@
 
 namespace ringlet {
 
-/// Strands are processed side by side, one per lane of a pack.
-inline constexpr int lane_count = 8;
-
-/// Eight doubles, one a strand: the production scalar of every kernel. One 512-bit register where
-/// the machine has them, several narrower ones elsewhere; the results are those of the same IEEE
-/// operations lane by lane.
-using Pack =
-    std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, lane_count>>;
+/// Strands are processed side by side, one per lane of a pack: the production scalar of every
+/// kernel. A pack is one register of the machine (8 doubles with AVX-512, 4 with AVX2, 2 with
+/// SSE2); wider ones of several registers spill, and take twice the time an element.
+using Pack = std::experimental::native_simd<double>;
+inline constexpr int lane_count = static_cast<int>(Pack::size());
 using Mask = Pack::mask_type;
 
 // Kernels are templates over their scalar (double, Pack, dual numbers) and call these functions

@@ -12,7 +12,7 @@ namespace ringlet {
 /// No stencil reaches further along a strand than four vertices.
 inline constexpr int band_blocks = 4;
 
-/// The symmetric block-banded matrices of the eight strands of a group. The lower triangle is
+/// The symmetric block-banded matrices of the strands of a group. The lower triangle is
 /// stored: block(i, k) is the 3x3 block at (row i, column i - k), k = 0..3. Blocks that would lie
 /// outside the matrix (k > i) are not used. A view.
 class GroupBands {

@@ -8,7 +8,7 @@
 
 namespace ringlet {
 
-/// Eight strands side by side, one a lane.
+/// Strands side by side, one a lane.
 struct StrandGroup {
   int first_row;                        ///< row of their root vertices
   int vertices;                         ///< of the longest of them: the rows of the group
@@ -21,8 +21,8 @@ struct LaneSlot {
   int lane;
 };
 
-/// The order in which strands are computed: groups of eight, longest strands first so that the
-/// members of a group are about equally long. A row holds one vertex of each of the eight. Lanes
+/// The order in which strands are computed: groups of lane_count, longest strands first so that the
+/// members of a group are about equally long. A row holds one vertex of each of them. Lanes
 /// without a strand and rows behind the tip of a shorter strand are pads: they carry a benign
 /// geometry, no stiffness, and identity in the system matrix.
 class StrandGroups {
