@@ -68,7 +68,7 @@ class BatchEnergy final : public Energy, public ElementFunction {
     }
   }
 
-  double add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const override {
+  double add(int group, std::span<const Vector3<Pack>> x, EdgeOutputs outputs) const override {
     return options_.evaluation == Evaluation::lanes ? add_in_lanes(group, x, outputs)
                                                     : add_one_by_one(group, x, outputs);
   }
@@ -85,15 +85,13 @@ class BatchEnergy final : public Energy, public ElementFunction {
       for (int n = 0; n < K; ++n) x[n] = from_eigen(positions.col(n));
       Derivatives<double, K> derivatives;
       result.value = evaluate_element(x, kernel_.rest_of(stiffness, rest), derivatives);
-      for (int row = 0; row < K; ++row) {
-        result.gradient.segment<3>(3 * row) = to_eigen(derivatives.gradient[row]);
-        for (int column = 0; column <= row; ++column) {
-          const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> block(
-              derivatives.block(row, column).m);
-          result.hessian.block<3, 3>(3 * row, 3 * column) = block;
-          result.hessian.block<3, 3>(3 * column, 3 * row) = block.transpose();
-        }
+      const auto differences = edge_differences<K>();
+      Eigen::Vector<double, 3 * (K - 1)> gradient;
+      for (int n = 0; n < K - 1; ++n) {
+        gradient.template segment<3>(3 * n) = to_eigen(derivatives.gradient[n]);
       }
+      result.gradient = differences.transpose() * gradient;
+      result.hessian = differences.transpose() * dense_hessian(derivatives) * differences;
     }
     return result;
   }
@@ -171,7 +169,7 @@ class BatchEnergy final : public Energy, public ElementFunction {
     return use.template operator()<Filter::exact>();
   }
 
-  double add_in_lanes(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const {
+  double add_in_lanes(int group, std::span<const Vector3<Pack>> x, EdgeOutputs outputs) const {
     const Rest<Pack>* rest = &rest_[(*groups_)[group].first_row];
     const bool value_only = outputs.gradient.empty() && outputs.hessian.empty();
     if (value_only) return sum_lanes(add_values(rest, x));
@@ -193,7 +191,7 @@ class BatchEnergy final : public Energy, public ElementFunction {
   }
   template <Filter filter>
   [[gnu::flatten]] Pack add_derivatives(const Rest<Pack>* rest, std::span<const Vector3<Pack>> x,
-                                        GroupOutputs outputs) const {
+                                        EdgeOutputs outputs) const {
     Pack energy = 0;
     for (int i = 0; i + K <= static_cast<int>(x.size()); ++i) {
       energy += evaluate_kernel<filter>(
@@ -204,7 +202,7 @@ class BatchEnergy final : public Energy, public ElementFunction {
   }
   /// Each element by itself first, since it is filtered, or not all of it is wanted.
   Pack add_apart(const Rest<Pack>* rest, std::span<const Vector3<Pack>> x,
-                 GroupOutputs outputs) const {
+                 EdgeOutputs outputs) const {
     Pack energy = 0;
     for (int i = 0; i + K <= static_cast<int>(x.size()); ++i) {
       Derivatives<Pack, K> derivatives;
@@ -228,12 +226,12 @@ class BatchEnergy final : public Energy, public ElementFunction {
     return stencil;
   }
 
-  static void scatter(const Derivatives<Pack, K>& derivatives, int i, GroupOutputs& outputs) {
+  static void scatter(const Derivatives<Pack, K>& derivatives, int i, EdgeOutputs& outputs) {
     if (!outputs.gradient.empty()) {
-      for (int n = 0; n < K; ++n) outputs.gradient[i + n] += derivatives.gradient[n];
+      for (int n = 0; n < K - 1; ++n) outputs.gradient[i + n] += derivatives.gradient[n];
     }
     if (!outputs.hessian.empty()) {
-      for (int row = 0; row < K; ++row) {
+      for (int row = 0; row < K - 1; ++row) {
         for (int column = 0; column <= row; ++column) {
           outputs.hessian.block(i + row, row - column) += derivatives.block(row, column);
         }
@@ -241,7 +239,7 @@ class BatchEnergy final : public Energy, public ElementFunction {
     }
   }
 
-  double add_one_by_one(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const {
+  double add_one_by_one(int group, std::span<const Vector3<Pack>> x, EdgeOutputs outputs) const {
     const Rest<Pack>* rest = &rest_[(*groups_)[group].first_row];
     std::array<double, lane_count> energies{};
     for (int i = 0; i + K <= static_cast<int>(x.size()); ++i) {
@@ -260,17 +258,17 @@ class BatchEnergy final : public Energy, public ElementFunction {
   }
 
   static void scatter_lane(const Derivatives<double, K>& derivatives, int i, int lane,
-                           GroupOutputs& outputs) {
+                           EdgeOutputs& outputs) {
     const auto add_to = [lane](Pack& target, double value) { target[lane] = target[lane] + value; };
     if (!outputs.gradient.empty()) {
-      for (int n = 0; n < K; ++n) {
+      for (int n = 0; n < K - 1; ++n) {
         add_to(outputs.gradient[i + n].x, derivatives.gradient[n].x);
         add_to(outputs.gradient[i + n].y, derivatives.gradient[n].y);
         add_to(outputs.gradient[i + n].z, derivatives.gradient[n].z);
       }
     }
     if (!outputs.hessian.empty()) {
-      for (int row = 0; row < K; ++row) {
+      for (int row = 0; row < K - 1; ++row) {
         for (int column = 0; column <= row; ++column) {
           Matrix3<Pack>& block = outputs.hessian.block(i + row, row - column);
           for (int m = 0; m < 9; ++m) add_to(block.m[m], derivatives.block(row, column).m[m]);

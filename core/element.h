@@ -5,9 +5,9 @@
 #include <span>
 #include <string_view>
 
+#include "core/edge_derivatives.h"
 #include "core/elementary.h"
 #include "core/material.h"
-#include "core/strand_bands.h"
 #include "core/vector3.h"
 
 namespace ringlet {
@@ -25,61 +25,56 @@ struct ElementRest {
   const Material& material;
 };
 
-/// The matrix weight q q^T over the vertices of an element.
+/// One vector for each edge e_n = x_{n+1} - x_n of an element of K vertices.
+template <class S, int K>
+using EdgeVectors = std::array<Vector3<S>, K - 1>;
+
+/// The matrix weight q q^T over the edges of an element.
 template <class S, int K>
 struct RankOne {
   S weight;
-  Stencil<S, K> q;
+  EdgeVectors<S, K> q;
 };
 
-/// Where one element adds its gradient and its Hessian with respect to its K vertices. Of the
-/// Hessian the lower triangle is kept, as 3x3 blocks in the layout of the strand bands. A view.
+/// Where one element adds its gradient and its Hessian with respect to its K - 1 edges. The Hessian
+/// is kept as 3x3 blocks in the layout of EdgeBands: of the blocks on the diagonal the lower
+/// triangle alone has a meaning. A view.
 template <class S, int K>
 class ElementOutputs {
  public:
-  /// The gradient of the first vertex, and the first block of its row of the bands.
+  /// The gradient of the first edge, and the first block of its row of the bands.
   ElementOutputs(Vector3<S>* gradient, Matrix3<S>* blocks) : gradient_(gradient), blocks_(blocks) {}
 
-  void add_gradient(int vertex, const Vector3<S>& gradient) const { gradient_[vertex] += gradient; }
-  /// The block at vertices (row, column), row >= column.
-  Matrix3<S>& block(int row, int column) const { return blocks_[row * band_blocks + row - column]; }
+  void add_gradient(int edge, const Vector3<S>& gradient) const { gradient_[edge] += gradient; }
+  /// The block at edges (row, column), row >= column.
+  Matrix3<S>& block(int row, int column) const {
+    return blocks_[row * edge_band_blocks + row - column];
+  }
   /// Hessian += sum over the terms of weight q q^T, an entry at a time so that nothing but the
   /// result is written.
   template <std::size_t N>
   void add_hessian(const std::array<RankOne<S, K>, N>& terms) const {
     using V = Vector3<S>;
-    for (int row = 0; row < K; ++row) {
+    for (int row = 0; row < K - 1; ++row) {
       std::array<V, N> scaled;
       for (std::size_t t = 0; t < N; ++t) scaled[t] = terms[t].weight * terms[t].q[row];
-      const auto entry = [&](S V::*i, S V::*j, int column) {
+      const auto add_entry = [&](int m, S V::*i, S V::*j, int column) {
         S sum = scaled[0].*i * terms[0].q[column].*j;
         for (std::size_t t = 1; t < N; ++t) sum += scaled[t].*i * terms[t].q[column].*j;
-        return sum;
+        block(row, column).m[m] += sum;
       };
-      for (int column = 0; column < row; ++column) {
-        Matrix3<S>& target = block(row, column);
-        target.m[0] += entry(&V::x, &V::x, column);
-        target.m[1] += entry(&V::x, &V::y, column);
-        target.m[2] += entry(&V::x, &V::z, column);
-        target.m[3] += entry(&V::y, &V::x, column);
-        target.m[4] += entry(&V::y, &V::y, column);
-        target.m[5] += entry(&V::y, &V::z, column);
-        target.m[6] += entry(&V::z, &V::x, column);
-        target.m[7] += entry(&V::z, &V::y, column);
-        target.m[8] += entry(&V::z, &V::z, column);
+      for (int column = 0; column <= row; ++column) {
+        const bool diagonal = column == row;
+        add_entry(0, &V::x, &V::x, column);
+        if (!diagonal) add_entry(1, &V::x, &V::y, column);
+        if (!diagonal) add_entry(2, &V::x, &V::z, column);
+        add_entry(3, &V::y, &V::x, column);
+        add_entry(4, &V::y, &V::y, column);
+        if (!diagonal) add_entry(5, &V::y, &V::z, column);
+        add_entry(6, &V::z, &V::x, column);
+        add_entry(7, &V::z, &V::y, column);
+        add_entry(8, &V::z, &V::z, column);
       }
-      Matrix3<S>& target = block(row, row);
-      target.m[0] += entry(&V::x, &V::x, row);
-      target.m[4] += entry(&V::y, &V::y, row);
-      target.m[8] += entry(&V::z, &V::z, row);
-      const S yx = entry(&V::y, &V::x, row), zx = entry(&V::z, &V::x, row);
-      const S zy = entry(&V::z, &V::y, row);
-      target.m[1] += yx;
-      target.m[3] += yx;
-      target.m[2] += zx;
-      target.m[6] += zx;
-      target.m[5] += zy;
-      target.m[7] += zy;
     }
   }
 
@@ -91,8 +86,8 @@ class ElementOutputs {
 /// Gradient and Hessian of one element by themselves, at first zero.
 template <class S, int K>
 struct Derivatives {
-  std::array<Vector3<S>, K> gradient;
-  std::array<Matrix3<S>, K * band_blocks> blocks;
+  EdgeVectors<S, K> gradient;
+  std::array<Matrix3<S>, (K - 1) * edge_band_blocks> blocks;
 
   Derivatives() {
     gradient.fill({S(0), S(0), S(0)});
@@ -101,10 +96,10 @@ struct Derivatives {
   ElementOutputs<S, K> outputs() { return {gradient.data(), blocks.data()}; }
   Matrix3<S>& block(int row, int column) { return outputs().block(row, column); }
   const Matrix3<S>& block(int row, int column) const {
-    return blocks[row * band_blocks + row - column];
+    return blocks[row * edge_band_blocks + row - column];
   }
   void add_to(ElementOutputs<S, K> target) const {
-    for (int row = 0; row < K; ++row) {
+    for (int row = 0; row < K - 1; ++row) {
       target.add_gradient(row, gradient[row]);
       for (int column = 0; column <= row; ++column) target.block(row, column) += block(row, column);
     }

@@ -2,18 +2,11 @@
 
 #include <span>
 
-#include "core/strand_bands.h"
+#include "core/edge_derivatives.h"
 #include "core/strands.h"
 #include "core/vertex_field.h"
 
 namespace ringlet {
-
-/// Where a term of the potential adds its derivatives for one group of strands; what is empty is
-/// not wanted.
-struct GroupOutputs {
-  std::span<Vector3<Pack>> gradient;
-  GroupBands hessian;
-};
 
 /// Everything about one element, dense.
 struct ElementDerivatives {
@@ -33,7 +26,8 @@ class ElementFunction {
                                       double rest) const = 0;
 };
 
-/// One term of the elastic potential of the strands: a function of their positions alone.
+/// One term of the elastic potential of the strands: a function of their edges alone. (What depends
+/// on where a strand is in space is a Force.)
 class Energy {
  public:
   virtual ~Energy() = default;
@@ -41,13 +35,17 @@ class Energy {
   /// Computes rest data from the strands' rest shape. Called once, before add().
   virtual void bind(const Strands& strands, const StrandGroups& groups) = 0;
 
-  /// Returns the energy of a group of strands at positions x, J. Adds its gradient, dE/dx, and its
-  /// Hessian, made positive semi-definite by the energy's filter, where they are wanted.
-  /// Called from several threads at once, for different groups.
-  virtual double add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const = 0;
+  /// Returns the energy of a group of strands at positions x, J. Adds its gradient with respect to
+  /// the edges e_i = x_{i+1} - x_i, and its Hessian, made positive semi-definite by the energy's
+  /// filter, where they are wanted. Called from several threads at once, for different groups.
+  virtual double add(int group, std::span<const Vector3<Pack>> x, EdgeOutputs outputs) const = 0;
 
   /// Its elements one by one; null where they do not follow from a stiffness and one rest value.
   virtual const ElementFunction* element_function() const { return nullptr; }
 };
+
+/// The same with derivatives with respect to the vertices, for where time does not matter.
+double add_at_vertices(const Energy& energy, int group, std::span<const Vector3<Pack>> x,
+                       const GroupOutputs& outputs);
 
 }  // namespace ringlet

@@ -24,7 +24,8 @@ class Force {
   virtual ~Force() = default;
   virtual void bind(const Strands& strands, const StrandGroups& groups) = 0;
   virtual void begin_step(const StepStart& start) = 0;
-  /// As Energy::add, for the incremental potential.
+  /// As Energy::add, for the incremental potential and with derivatives with respect to the
+  /// vertices.
   virtual double add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const = 0;
 };
 

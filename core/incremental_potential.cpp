@@ -29,6 +29,7 @@ bool is_finite(const GroupBands& bands, int row, int lane) {
   return true;
 }
 
+/// term(group, positions, GroupOutputs) returns a value and adds derivatives.
 template <class Term>
 std::optional<std::string> find_non_finite_term(const Model& model, const VertexField& x,
                                                 const Term& term, const std::string& name) {
@@ -37,7 +38,7 @@ std::optional<std::string> find_non_finite_term(const Model& model, const Vertex
     std::vector<Vector3<Pack>> gradient(vertices, {0, 0, 0});
     std::vector<Matrix3<Pack>> blocks(vertices * band_blocks, Matrix3<Pack>::zero());
     const GroupBands hessian{std::span(blocks)};
-    const double value = term.add(g, x.group(g), {gradient, hessian});
+    const double value = term(g, x.group(g), {gradient, hessian});
     for (int row = 0; row < vertices; ++row) {
       for (int lane = 0; lane < lane_count; ++lane) {
         const std::string where = name_of(model, model.groups.vertex_at(first_row + row, lane));
@@ -73,32 +74,37 @@ double PotentialTerms::magnitude() const {
   return sum;
 }
 
-double IncrementalPotential::add_inertia(int group, const VertexField& x,
-                                         GroupOutputs outputs) const {
+double IncrementalPotential::inertia(int group, const VertexField& x) const {
   const auto rows = x.group(group), target = target_.group(group);
   const Pack* mass = &model_.mass[model_.groups[group].first_row];
-  Pack energy = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Pack weight = inverse_h2_ * mass[i];
-    const Vector3<Pack> difference = rows[i] - target[i];
-    energy += 0.5 * weight * squared_norm(difference);
-    if (!outputs.gradient.empty()) outputs.gradient[i] += weight * difference;
-    if (!outputs.hessian.empty()) {
-      for (int c = 0; c < 3; ++c) outputs.hessian.block(static_cast<int>(i), 0)(c, c) += weight;
-    }
-  }
-  return sum_lanes(energy);
+  Pack sum = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) sum += mass[i] * squared_norm(rows[i] - target[i]);
+  return 0.5 * inverse_h2_ * sum_lanes(sum);
 }
 
-void IncrementalPotential::add_group(int group, const VertexField& x, GroupOutputs outputs,
-                                     std::span<double> terms) const {
-  std::size_t term = 0;
-  terms[term++] = add_inertia(group, x, outputs);
-  for (const auto& energy : model_.energies) {
-    terms[term++] = energy->add(group, x.group(group), outputs);
+void IncrementalPotential::add_energies(int group, const VertexField& x, EdgeOutputs outputs,
+                                        std::span<double> terms) const {
+  for (std::size_t e = 0; e < model_.energies.size(); ++e) {
+    terms[e + 1] = model_.energies[e]->add(group, x.group(group), outputs);
   }
+}
+
+void IncrementalPotential::add_forces(int group, const VertexField& x, GroupOutputs outputs,
+                                      std::span<double> terms) const {
   for (const auto& force : model_.forces) {
-    terms[term] += force->add(group, x.group(group), outputs);
+    terms.back() += force->add(group, x.group(group), outputs);
+  }
+}
+
+void IncrementalPotential::write_rows(int group, const VertexField& x, const EdgeDerivatives& edges,
+                                      double mass_weight, const GroupOutputs& outputs) const {
+  const auto rows = x.group(group), target = target_.group(group);
+  const Pack* mass = &model_.mass[model_.groups[group].first_row];
+  for (int i = 0; i < outputs.hessian.rows(); ++i) {
+    outputs.gradient[i] +=
+        edges.gradient_row(i) + Pack(inverse_h2_ * mass[i]) * (rows[i] - target[i]);
+    edges.write_hessian_row(i, &outputs.hessian.block(i, 0));
+    for (int c = 0; c < 3; ++c) outputs.hessian.block(i, 0)(c, c) += mass_weight * mass[i];
   }
 }
 
@@ -117,18 +123,14 @@ PotentialTerms IncrementalPotential::sum(std::span<const double> terms_of_groups
 PotentialTerms IncrementalPotential::value(const VertexField& x) const {
   std::vector<double> terms(model_.groups.count() * term_count());
   parallel_for_each(model_.groups.count(), [&](int g) {
-    add_group(g, x, {}, std::span(terms).subspan(g * term_count(), term_count()));
+    const std::span of_group = std::span(terms).subspan(g * term_count(), term_count());
+    of_group.front() = inertia(g, x);
+    add_energies(g, x, {}, of_group);
+    add_forces(g, x, {}, of_group);
   });
   PotentialTerms total = sum(terms);
   if (model_.collision) total.contacts = model_.collision->add(x, nullptr, nullptr);
   return total;
-}
-
-void IncrementalPotential::add_mass(int group, double weight, GroupBands bands) const {
-  const Pack* mass = &model_.mass[model_.groups[group].first_row];
-  for (int i = 0; i < bands.rows(); ++i) {
-    for (int c = 0; c < 3; ++c) bands.block(i, 0)(c, c) += weight * mass[i];
-  }
 }
 
 IncrementalPotential::Assembled IncrementalPotential::assemble(
@@ -149,15 +151,15 @@ IncrementalPotential::Assembled IncrementalPotential::assemble(
     const bool coupled = matrix.couplings.touches(g);
     const GroupBands bands =
         keep_all || coupled ? matrix.bands.group(g) : matrix.temporary_bands(g);
-    bands.set_zero();
     const auto rows = gradient.group(g);
-    if (model_.collision) {
-      matrix.couplings.add_to_bands(g, bands);
-    } else {
-      std::fill(rows.begin(), rows.end(), Vector3<Pack>{0, 0, 0});
-    }
-    add_group(g, x, {rows, bands}, std::span(terms).subspan(g * term_count(), term_count()));
-    if (added != 0) add_mass(g, added, bands);
+    if (!model_.collision) std::fill(rows.begin(), rows.end(), Vector3<Pack>{0, 0, 0});
+    const std::span of_group = std::span(terms).subspan(g * term_count(), term_count());
+    of_group.front() = inertia(g, x);
+    EdgeDerivatives& edges = matrix.temporary_edges(g);
+    add_energies(g, x, edges.outputs(), of_group);
+    write_rows(g, x, edges, inverse_h2_ + added, {rows, bands});
+    add_forces(g, x, {rows, bands}, of_group);
+    matrix.couplings.add_to_bands(g, bands);
     const std::span free = std::span(model_.free).subspan(model_.groups[g].first_row, bands.rows());
     squared_gradients[g] = pin_gradient(rows, free);
     pin_rows(bands, free);
@@ -175,12 +177,17 @@ std::optional<std::string> find_non_finite(const Model& model, const VertexField
     if (!x.get(v).allFinite()) return "the position of " + name_of(model, v) + " is not finite";
   }
   for (std::size_t e = 0; e < model.energies.size(); ++e) {
-    auto found = find_non_finite_term(model, x, *model.energies[e], model.energy_names[e]);
-    if (found) return found;
+    const auto add = [&](int g, std::span<const Vector3<Pack>> rows, const GroupOutputs& outputs) {
+      return add_at_vertices(*model.energies[e], g, rows, outputs);
+    };
+    if (auto found = find_non_finite_term(model, x, add, model.energy_names[e])) return found;
   }
   for (std::size_t f = 0; f < model.forces.size(); ++f) {
     const std::string name = "force number " + std::to_string(f + 1);
-    if (auto found = find_non_finite_term(model, x, *model.forces[f], name)) return found;
+    const auto add = [&](int g, std::span<const Vector3<Pack>> rows, const GroupOutputs& outputs) {
+      return model.forces[f]->add(g, rows, outputs);
+    };
+    if (auto found = find_non_finite_term(model, x, add, name)) return found;
   }
   if (model.collision) {
     VertexField gradient(model.groups);

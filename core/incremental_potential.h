@@ -48,11 +48,15 @@ class IncrementalPotential {
                      LinearSolver& solver, VertexField& direction, double added = 0) const;
 
  private:
-  /// Terms of one group in the order of PotentialTerms, without the contacts.
-  void add_group(int group, const VertexField& x, GroupOutputs outputs,
-                 std::span<double> terms) const;
-  double add_inertia(int group, const VertexField& x, GroupOutputs outputs) const;
-  void add_mass(int group, double weight, GroupBands bands) const;
+  double inertia(int group, const VertexField& x) const;
+  /// Of one group, the terms in the order of PotentialTerms, without the contacts.
+  void add_energies(int group, const VertexField& x, EdgeOutputs outputs,
+                    std::span<double> terms) const;
+  void add_forces(int group, const VertexField& x, GroupOutputs outputs,
+                  std::span<double> terms) const;
+  /// Inertia and energies: adds the gradient, and writes the Hessian with mass_weight M.
+  void write_rows(int group, const VertexField& x, const EdgeDerivatives& edges, double mass_weight,
+                  const GroupOutputs& outputs) const;
   std::size_t term_count() const { return model_.energies.size() + 2; }
   PotentialTerms sum(std::span<const double> terms_of_groups) const;
 

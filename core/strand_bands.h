@@ -32,6 +32,13 @@ class GroupBands {
   std::span<Matrix3<Pack>> blocks_;
 };
 
+/// Where a term adds its derivatives with respect to the vertices of a group of strands; what is
+/// empty is not wanted.
+struct GroupOutputs {
+  std::span<Vector3<Pack>> gradient;
+  GroupBands hessian;
+};
+
 /// The bands of all groups.
 class StrandBands {
  public:

@@ -7,10 +7,16 @@
 namespace ringlet {
 
 GroupBands SystemMatrix::temporary_bands(int group) {
-  std::vector<Matrix3<Pack>>& blocks = temporary_.local();
+  std::vector<Matrix3<Pack>>& blocks = temporary_.local().blocks;
   const std::size_t size = static_cast<std::size_t>((*groups_)[group].vertices) * band_blocks;
   if (blocks.size() < size) blocks.resize(size);
   return GroupBands(std::span(blocks).first(size));
+}
+
+EdgeDerivatives& SystemMatrix::temporary_edges(int group) {
+  EdgeDerivatives& edges = temporary_.local().edges;
+  edges.set_zero((*groups_)[group].vertices);
+  return edges;
 }
 
 void multiply(const SystemMatrix& a, const VertexField& x, VertexField& y) {

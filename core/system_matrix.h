@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/coupling_blocks.h"
+#include "core/edge_derivatives.h"
 #include "core/strand_bands.h"
 #include "core/vertex_field.h"
 
@@ -28,6 +29,9 @@ class SystemMatrix {
   }
   /// Memory for the bands of one group, in the calling thread alone, until the next call.
   GroupBands temporary_bands(int group);
+  /// Zero derivatives over the edges of one group, in the calling thread alone, until the next
+  /// call.
+  EdgeDerivatives& temporary_edges(int group);
 
   StrandBands bands;
   CouplingBlocks couplings;
@@ -35,7 +39,11 @@ class SystemMatrix {
  private:
   const StrandGroups* groups_;
   bool has_bands_ = false;
-  tbb::enumerable_thread_specific<std::vector<Matrix3<Pack>>> temporary_;
+  struct Temporary {
+    std::vector<Matrix3<Pack>> blocks;
+    EdgeDerivatives edges;
+  };
+  tbb::enumerable_thread_specific<Temporary> temporary_;
 };
 
 /// y = A x; deterministic for any number of threads. The bands must have been kept.

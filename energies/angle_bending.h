@@ -84,10 +84,8 @@ struct AngleBending {
     const AnglePlane<S> plane{t0, cross(t0, normal), t1, cross(t1, normal)};
 
     const S force = hinge.stiffness * g;
-    const Vector3<S> first = force * plane.b0, last = -force * plane.b1;
-    outputs.add_gradient(0, first);
-    outputs.add_gradient(1, -first - last);
-    outputs.add_gradient(2, last);
+    outputs.add_gradient(0, -force * plane.b0);
+    outputs.add_gradient(1, -force * plane.b1);
     if constexpr (filter == Filter::gauss_newton) {
       add_hessian(hinge, std::array{gauss_newton_term(plane, h)}, outputs);
     } else {
@@ -103,13 +101,14 @@ struct AngleBending {
     return hinge.stiffness * Law::value(turning, rest);
   }
 
+  /// Over the edges of the element, of which the first is minus that of the hinge.
   template <class S, std::size_t N>
   static void add_hessian(const Hinge<S>& hinge, const std::array<PairTerm<S>, N>& pairs,
                           ElementOutputs<S, 3> outputs) {
     std::array<RankOne<S, 3>, N> terms;
     for (std::size_t i = 0; i < N; ++i) {
       const PairTerm<S>& pair = pairs[i];
-      terms[i] = {hinge.stiffness * pair.weight, {pair.q0, -pair.q0 - pair.q1, pair.q1}};
+      terms[i] = {hinge.stiffness * pair.weight, {-pair.q0, pair.q1}};
     }
     outputs.add_hessian(terms);
   }

@@ -43,7 +43,9 @@ class Rayleigh final : public Force {
     parallel_for_each(groups_->count(), [&](int g) {
       const GroupBands bands = stiffness_.group(g);
       std::fill(bands.blocks().begin(), bands.blocks().end(), Matrix3<Pack>::zero());
-      for (const auto& energy : start.energies) energy->add(g, x_n_.group(g), {{}, bands});
+      for (const auto& energy : start.energies) {
+        add_at_vertices(*energy, g, x_n_.group(g), {{}, bands});
+      }
       for (Matrix3<Pack>& block : bands.blocks()) block = Pack(parameters_.stiffness) * block;
     });
   }

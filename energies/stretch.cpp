@@ -62,29 +62,20 @@ struct Stretch {
     const S strain = length + offset - S(1);
     const Vector3<S> t = inverse * edge;
     const S tension = rest.stiffness * rest.inverse_length * strain;
-    outputs.add_gradient(0, -tension * t);
-    outputs.add_gradient(1, tension * t);
+    outputs.add_gradient(0, tension * t);
 
     const S along = rest.stiffness * rest.inverse_length * rest.inverse_length;
     S across = tension * rest.inverse_length * inverse;
     if (filter == Filter::tight || filter == Filter::paper) across = max(across, S(0));
     if (filter == Filter::gauss_newton) across = S(0);
     const Vector3<S> difference = (along - across) * t;
-    const auto add = [&](int entry, const S& value) {
-      outputs.block(0, 0).m[entry] += value;
-      outputs.block(1, 0).m[entry] -= value;
-      outputs.block(1, 1).m[entry] += value;
-    };
-    add(0, difference.x * t.x + across);
-    add(4, difference.y * t.y + across);
-    add(8, difference.z * t.z + across);
-    const S yx = difference.x * t.y, zx = difference.x * t.z, zy = difference.y * t.z;
-    add(1, yx);
-    add(3, yx);
-    add(2, zx);
-    add(6, zx);
-    add(5, zy);
-    add(7, zy);
+    Matrix3<S>& block = outputs.block(0, 0);
+    block.m[0] += difference.x * t.x + across;
+    block.m[3] += difference.y * t.x;
+    block.m[4] += difference.y * t.y + across;
+    block.m[6] += difference.z * t.x;
+    block.m[7] += difference.z * t.y;
+    block.m[8] += difference.z * t.z + across;
     return S(0.5) * rest.stiffness * strain * strain;
   }
 

@@ -132,10 +132,9 @@ struct Twist {
     const Vector3<S> by_e0 = weight0 * (u - (dihedral.uu * inverse_n0) * dihedral.e0);
     const Vector3<S> by_e2 = weight2 * (v - (dihedral.vv * inverse_n2) * dihedral.e2);
     const Vector3<S> by_e1 = -(weight0 * dihedral.a) * u - (weight2 * dihedral.c) * v;
-    outputs.add_gradient(0, by_e0);
-    outputs.add_gradient(1, -by_e0 - by_e1);
-    outputs.add_gradient(2, by_e1 - by_e2);
-    outputs.add_gradient(3, by_e2);
+    outputs.add_gradient(0, -by_e0);
+    outputs.add_gradient(1, by_e1);
+    outputs.add_gradient(2, by_e2);
   }
 
   template <Filter filter, class S>
@@ -146,25 +145,19 @@ struct Twist {
     const Vector3<S> u = (inverse_u * inverse_u) * dihedral.u;
     const Vector3<S> v = (inverse_v * inverse_v) * dihedral.v;
     const AnglePlane<S> plane{u, cross(u, dihedral.d), v, cross(v, dihedral.d)};
-    const auto to_vertices = [&](const Vector3<S>& q0, const Vector3<S>& q1,
-                                 std::array<Vector3<S>, 4>& q) {
-      const Vector3<S> shared = a * q0 + c * q1;
-      q[0] = q0;
-      q[1] = shared - q0;
-      q[2] = -shared - q1;
-      q[3] = q1;
+    // By the edges of the element, of which the first is minus e0, of what stands for u and v.
+    const auto by_edges = [&](const Vector3<S>& q0, const Vector3<S>& q1) {
+      return EdgeVectors<S, 4>{-q0, -(a * q0 + c * q1), q1};
     };
 
     const S force = dihedral.stiffness * g;
-    std::array<Vector3<S>, 4> gradient;
-    to_vertices(force * plane.b0, -force * plane.b1, gradient);
-    for (int n = 0; n < 4; ++n) outputs.add_gradient(n, gradient[n]);
+    const EdgeVectors<S, 4> gradient = by_edges(force * plane.b0, -force * plane.b1);
+    for (int n = 0; n < 3; ++n) outputs.add_gradient(n, gradient[n]);
 
     constexpr std::size_t half = filter == Filter::exact ? 4 : 2;
     std::array<RankOne<S, 4>, filter == Filter::gauss_newton ? 1 : 2 * half> terms;
     const auto set = [&](std::size_t i, const PairTerm<S>& pair) {
-      terms[i].weight = pair.weight;
-      to_vertices(pair.q0, pair.q1, terms[i].q);
+      terms[i] = {pair.weight, by_edges(pair.q0, pair.q1)};
     };
     if constexpr (filter == Filter::gauss_newton) {
       set(0, gauss_newton_term(plane, S(1)));
@@ -184,15 +177,16 @@ struct Twist {
 
   /// The part of the Hessian that moves u and v along e1. With s = +1 where cos tau >= 0 and -1
   /// elsewhere, the in-plane unit vectors f = unit(u/|u| + s v/|v|) and f' = d x f, and
-  /// kappa(s) = (1, a-1, -a, 0)/|u| + s (0, c, -(c+1), 1)/|v|, it is exactly
+  /// kappa(s) = (1, a, 0)/|u| + s (0, c, -1)/|v| over the edges, it is exactly
   ///
   ///     P(f, s,  g s sin(tau), g s sin(tau) / 2m) + P(f', -s, -g s sin(tau), g m)
   ///     P(f, s, p, q) = p/|e1|^2 F F^T - q/|e1| (F K^T + K F^T)
-  ///     F = (0, f, -f, 0),  K = kappa(s) x d (a vector along d a vertex)
+  ///     F = (0, f, 0),  K = kappa(s) x d (a vector along d an edge)
   ///
   /// where m = cos of half the angle between u and s v: it lies in [1/sqrt(2), 1], so that no term
-  /// has a pole. F and K are orthogonal: each P has one positive and one negative eigenvalue, those
-  /// of a 2x2 matrix. First the positive parts; with four terms the negative ones behind them.
+  /// has a pole. Over the vertices, where an edge vector q stands for (-q, q), F and K are
+  /// orthogonal: each P has one positive and one negative eigenvalue, those of a 2x2 matrix. First
+  /// the positive parts; with four terms the negative ones behind them.
   template <class S, std::size_t N>
   static void set_axial_terms(const Dihedral<S>& dihedral, const S& inverse_u, const S& inverse_v,
                               const S& g, std::span<RankOne<S, 4>, N> terms) {
@@ -207,28 +201,21 @@ struct Twist {
     const S half_inverse_m = S(0.5) * inverse_m;
     const Vector3<S> f = (half_inverse_m * inverse_u) * dihedral.u +
                          (half_inverse_m * signed_inverse_v) * dihedral.v;
-    const std::array<S, 4> kappa_u{inverse_u, (a - S(1)) * inverse_u, -a * inverse_u, S(0)};
-    const std::array<S, 4> kappa_v{S(0), c * signed_inverse_v, -(c + S(1)) * signed_inverse_v,
-                                   signed_inverse_v};
+    const S a_u = a * inverse_u, c_v = c * signed_inverse_v;
 
     const S g_per_length = g * inverse_length;
     const S h = g_per_length * sine * inverse_length;
     const auto set = [&](std::size_t i, const Vector3<S>& direction, double sign, const S& h_of_f,
                          const S& q) {
-      std::array<S, 4> kappa;
-      S squared = 0;
-      for (int n = 0; n < 4; ++n) {
-        kappa[n] = kappa_u[n] + sign * kappa_v[n];
-        squared += kappa[n] * kappa[n];
-      }
-      const S doubled = S(2) * squared;
+      const std::array<S, 3> kappa{inverse_u, a_u + sign * c_v, -sign * signed_inverse_v};
+      const S at_1 = kappa[1] - kappa[0], at_2 = kappa[2] - kappa[1];
+      const S doubled =
+          S(2) * (kappa[0] * kappa[0] + at_1 * at_1 + at_2 * at_2 + kappa[2] * kappa[2]);
       const SplitPair<S> split = split_pair(S(q * doubled * inverse_sqrt(doubled)), h_of_f);
       const auto set_term = [&](RankOne<S, 4>& term, const S& weight, const S& along) {
-        const Vector3<S> across = along * direction;
         term.weight = S(0.5) * weight;
-        for (int n = 0; n < 4; ++n) term.q[n] = (S(-2) * q * kappa[n]) * dihedral.d;
-        term.q[1] += across;
-        term.q[2] -= across;
+        for (int n = 0; n < 3; ++n) term.q[n] = (S(-2) * q * kappa[n]) * dihedral.d;
+        term.q[1] += along * direction;
       };
       set_term(terms[i], split.weight, split.positive);
       if constexpr (N == 4) set_term(terms[2 + i], -split.weight, split.negative);
@@ -261,9 +248,8 @@ struct Twist {
       const Vector3<S> neglected = select(negative, f, Vector3<S>{S(0), S(0), S(0)});
       term.weight = S(0.5) * abs(g) * eigenvalue;
       term.q[0] = inverse_u * dihedral.d;
-      term.q[1] = ((a - S(1)) * inverse_u + c * signed_v) * dihedral.d - neglected;
-      term.q[2] = (-a * inverse_u - (c + S(1)) * signed_v) * dihedral.d + neglected;
-      term.q[3] = signed_v * dihedral.d;
+      term.q[1] = (a * inverse_u + c * signed_v) * dihedral.d - neglected;
+      term.q[2] = -signed_v * dihedral.d;
     };
     set(terms[0], 1, select(acute, small, large), tangent_is_negative);
     set(terms[1], -1, select(acute, large, small), !tangent_is_negative);

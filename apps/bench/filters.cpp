@@ -37,9 +37,9 @@ Timing time_elements(const EnergyMaker& make, const Json& keys, int element_vert
   const Points x = rest + 0.001 * random_points(random, count * vertices);
   const BoundEnergy bound(make(keys), std::vector<int>(count, vertices), rest);
   const VertexField field = positions_with_pads(bound.groups(), columns(x));
-  VertexField gradient(bound.groups());
-  StrandBands bands(bound.groups());
-  const GroupOutputs outputs{gradient.group(0), bands.group(0)};
+  EdgeDerivatives derivatives;
+  derivatives.set_zero(vertices);
+  const EdgeOutputs outputs = derivatives.outputs();
   const Timing timing = measure(
       [&] {
         for (int g = 0; g < bound.groups().count(); ++g) {

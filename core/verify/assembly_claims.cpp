@@ -48,7 +48,7 @@ double written_on_pads(const BoundEnergy& bound, const Points& x) {
   VertexField gradient(groups);
   StrandBands bands(groups);
   for (int g = 0; g < groups.count(); ++g) {
-    bound.energy().add(g, field.group(g), {gradient.group(g), bands.group(g)});
+    add_at_vertices(bound.energy(), g, field.group(g), {gradient.group(g), bands.group(g)});
   }
   double largest = 0;
   const auto see = [&](double entry) { largest = std::max(largest, std::abs(entry)); };

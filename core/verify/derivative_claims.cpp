@@ -13,7 +13,6 @@ struct DerivativeClaims {
   Claim value{"the value is the same without derivatives", 1e-12};
   Claim gradient{"the gradient is the derivative of the value", allowed};
   Claim hessian{"the Hessian is the derivative of the gradient", allowed};
-  Claim symmetry{"the Hessian is symmetric", 1e-12};
 };
 
 void see_hessian(const Subject& subject, const VerifyState& state, const BoundEnergy& energy,
@@ -44,7 +43,6 @@ void see(const Subject& subject, const VerifyState& state, DerivativeClaims& cla
                   state.x, first_step * state.edge());
   claims.gradient.see(relative_difference(probe.gradient.transpose(), gradient, least), state.name);
   see_hessian(subject, state, energy, probe, claims.hessian);
-  claims.symmetry.see(probe.asymmetry / probe.hessian.cwiseAbs().maxCoeff(), state.name);
 }
 
 }  // namespace
@@ -53,7 +51,7 @@ void claim_derivatives(const Subject& subject, std::vector<Claim>& claims) {
   DerivativeClaims own;
   if (!subject.has_filter("exact")) own.hessian.text = "the Hessian is not below the exact one";
   for (const VerifyState& state : subject.states) see(subject, state, own);
-  for (Claim* claim : {&own.zero, &own.value, &own.gradient, &own.hessian, &own.symmetry}) {
+  for (Claim* claim : {&own.zero, &own.value, &own.gradient, &own.hessian}) {
     claims.push_back(std::move(*claim));
   }
 }

@@ -26,6 +26,15 @@ void copy_bands(const StrandBands& bands, const StrandGroups& groups, int vertex
   }
 }
 
+double add(const Energy& energy, int group, std::span<const Vector3<Pack>> x,
+           const GroupOutputs& outputs) {
+  return add_at_vertices(energy, group, x, outputs);
+}
+double add(const Force& force, int group, std::span<const Vector3<Pack>> x,
+           const GroupOutputs& outputs) {
+  return force.add(group, x, outputs);
+}
+
 }  // namespace
 
 bool Probe::is_finite() const {
@@ -39,7 +48,7 @@ Probe probe(const Term& term, const StrandGroups& groups, const Points& x) {
   StrandBands bands(groups);
   Probe result{0, {}, Eigen::MatrixXd::Zero(x.size(), x.size()), 0};
   for (int g = 0; g < groups.count(); ++g) {
-    result.value += term.add(g, field.group(g), {gradient.group(g), bands.group(g)});
+    result.value += add(term, g, field.group(g), {gradient.group(g), bands.group(g)});
   }
   result.gradient = gradient.matrix().reshaped();
   for (int v = 0; v < groups.vertex_count(); ++v) copy_bands(bands, groups, v, result);

@@ -21,7 +21,7 @@ struct Probe {
   bool is_finite() const;
 };
 
-/// Everything at positions x, of anything with Energy's add() that is bound to the groups.
+/// Everything at positions x, of an Energy or a Force that is bound to the groups.
 template <class Term>
 Probe probe(const Term& term, const StrandGroups& groups, const Points& x);
 

@@ -23,9 +23,9 @@ TEST_CASE("gradient and Hessian can be asked for one without the other") {
     VertexField both(groups), alone(groups);
     StrandBands bands(groups), bands_alone(groups);
     for (int g = 0; g < groups.count(); ++g) {
-      energy->add(g, field.group(g), {both.group(g), bands.group(g)});
-      energy->add(g, field.group(g), {alone.group(g), {}});
-      energy->add(g, field.group(g), {{}, bands_alone.group(g)});
+      add_at_vertices(*energy, g, field.group(g), {both.group(g), bands.group(g)});
+      add_at_vertices(*energy, g, field.group(g), {alone.group(g), {}});
+      add_at_vertices(*energy, g, field.group(g), {{}, bands_alone.group(g)});
     }
     CHECK(both.matrix().isApprox(alone.matrix(), 1e-13));
     double largest = 0, difference = 0;

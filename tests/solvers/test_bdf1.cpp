@@ -103,7 +103,7 @@ TEST_CASE("a hanging strand ends in equilibrium; its pin stays exactly where it 
 
 TEST_CASE("a failed step leaves the state as it was") {
   const auto model = make_model({4, 4}, false);
-  add_energy(*model, std::make_unique<PointEnergy>([](int, const Eigen::Vector3d&) {
+  add_force(*model, std::make_unique<PointForce>([](int, const Eigen::Vector3d&) {
     return PointValue{std::numeric_limits<double>::quiet_NaN(), Eigen::Vector3d::Zero(),
                       Eigen::Matrix3d::Zero()};
   }));

@@ -53,22 +53,15 @@ void Springs::bind(const Strands& strands, const StrandGroups& groups) {
   }
 }
 
-double Springs::add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const {
+double Springs::add(int group, std::span<const Vector3<Pack>> x, EdgeOutputs outputs) const {
   Pack energy = 0;
   const Pack* stiffness = &edge_stiffness_[(*groups_)[group].first_row];
   for (int i = 0; i + 1 < static_cast<int>(x.size()); ++i) {
     const Vector3<Pack> stretch = x[i + 1] - x[i] - rest_.group(group)[i];
     energy += 0.5 * stiffness[i] * squared_norm(stretch);
-    if (!outputs.gradient.empty()) {
-      outputs.gradient[i] -= stiffness[i] * stretch;
-      outputs.gradient[i + 1] += stiffness[i] * stretch;
-    }
+    if (!outputs.gradient.empty()) outputs.gradient[i] += stiffness[i] * stretch;
     if (outputs.hessian.empty()) continue;
-    for (int c = 0; c < 3; ++c) {
-      outputs.hessian.block(i, 0)(c, c) += stiffness[i];
-      outputs.hessian.block(i + 1, 0)(c, c) += stiffness[i];
-      outputs.hessian.block(i + 1, 1)(c, c) -= stiffness[i];
-    }
+    for (int c = 0; c < 3; ++c) outputs.hessian.block(i, 0)(c, c) += stiffness[i];
   }
   return sum_lanes(energy);
 }

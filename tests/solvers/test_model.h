@@ -19,7 +19,7 @@ struct PointValue {
   Eigen::Matrix3d hessian;
 };
 
-/// The sum of a function over all vertices; an energy, a force, or a term of either.
+/// The sum of a function over all vertices; a force, or a term of one.
 class PointTerm {
  public:
   using Function = std::function<PointValue(int vertex, const Eigen::Vector3d&)>;
@@ -32,10 +32,11 @@ class PointTerm {
   const StrandGroups* groups_ = nullptr;
 };
 
-class PointEnergy final : public Energy {
+class PointForce final : public Force {
  public:
-  explicit PointEnergy(PointTerm::Function function) : term_(std::move(function)) {}
+  explicit PointForce(PointTerm::Function function) : term_(std::move(function)) {}
   void bind(const Strands&, const StrandGroups& groups) override { term_.bind(groups); }
+  void begin_step(const StepStart&) override {}
   double add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const override {
     return term_.add(group, x, outputs);
   }
@@ -64,7 +65,7 @@ class Springs final : public Energy {
  public:
   explicit Springs(double stiffness) : stiffness_(stiffness) {}
   void bind(const Strands& strands, const StrandGroups& groups) override;
-  double add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const override;
+  double add(int group, std::span<const Vector3<Pack>> x, EdgeOutputs outputs) const override;
 
  private:
   double stiffness_;

@@ -74,7 +74,7 @@ TEST_CASE("nothing to do is done at once") {
 
 TEST_CASE("the line search tames an overshooting update") {
   const auto model = make_model({4, 4}, false);
-  add_energy(*model, std::make_unique<PointEnergy>([](int, const Eigen::Vector3d& x) {
+  add_force(*model, std::make_unique<PointForce>([](int, const Eigen::Vector3d& x) {
     return pseudo_huber(x - Eigen::Vector3d(0, 0, 1), 0.2);
   }));
   State state = rest_state(*model);
@@ -95,8 +95,8 @@ TEST_CASE("the line search tames an overshooting update") {
 
 TEST_CASE("an indefinite Hessian is made definite with mass") {
   const auto model = make_model({4, 5}, false);
-  add_energy(*model, std::make_unique<PointEnergy>(
-                         [](int, const Eigen::Vector3d& x) { return double_well(x); }));
+  add_force(*model, std::make_unique<PointForce>(
+                        [](int, const Eigen::Vector3d& x) { return double_well(x); }));
   for (const char* solver : {"strand_cholesky", "cholesky", "pcg", "jacobi"}) {
     INFO(solver);
     model->solver = make_solver(solver);
@@ -115,7 +115,7 @@ TEST_CASE("an indefinite Hessian is made definite with mass") {
 TEST_CASE("a value that is not finite is never accepted") {
   const auto model = make_model({4, 4}, false);
   // A slope towards a cliff at z = 1: NaN behind it.
-  add_energy(*model, std::make_unique<PointEnergy>([](int, const Eigen::Vector3d& x) {
+  add_force(*model, std::make_unique<PointForce>([](int, const Eigen::Vector3d& x) {
     const double value = x.z() < 1 ? -x.z() : std::numeric_limits<double>::quiet_NaN();
     return PointValue{value, -Eigen::Vector3d::UnitZ(), Eigen::Matrix3d::Zero()};
   }));
@@ -136,7 +136,7 @@ TEST_CASE("a value that is not finite is never accepted") {
 TEST_CASE("a failure says what and where") {
   const auto model = make_model({4, 6}, false);
   add_energy(*model, std::make_unique<Springs>(20));
-  add_energy(*model, std::make_unique<PointEnergy>([](int vertex, const Eigen::Vector3d&) {
+  add_force(*model, std::make_unique<PointForce>([](int vertex, const Eigen::Vector3d&) {
     const double value = vertex == 7 ? std::numeric_limits<double>::quiet_NaN() : 0;
     return PointValue{0, Eigen::Vector3d::Constant(value), Eigen::Matrix3d::Zero()};
   }));
@@ -150,7 +150,7 @@ TEST_CASE("a failure says what and where") {
 
 TEST_CASE("a gradient that lies is not followed") {
   const auto model = make_model({4}, false);
-  add_energy(*model, std::make_unique<PointEnergy>([](int, const Eigen::Vector3d& x) {
+  add_force(*model, std::make_unique<PointForce>([](int, const Eigen::Vector3d& x) {
     return PointValue{x.z(), -Eigen::Vector3d::UnitZ(), Eigen::Matrix3d::Zero()};
   }));
   State state = rest_state(*model);
@@ -164,7 +164,7 @@ TEST_CASE("a gradient that lies is not followed") {
 
 TEST_CASE("the iteration cap is reported") {
   const auto model = make_model({4, 4}, false);
-  add_energy(*model, std::make_unique<PointEnergy>([](int, const Eigen::Vector3d& x) {
+  add_force(*model, std::make_unique<PointForce>([](int, const Eigen::Vector3d& x) {
     return pseudo_huber(x - Eigen::Vector3d(0, 0, 1), 0.2);
   }));
   State state = rest_state(*model);

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/strand_bands.h"
+
+namespace ringlet {
+
+/// No stencil reaches further along a strand than three edges.
+inline constexpr int edge_band_blocks = band_blocks - 1;
+
+/// The symmetric block-banded matrices over the edges of the strands of a group: block(i, k) is the
+/// 3x3 block at (edge i, edge i - k), k = 0..2. Of the blocks on the diagonal the lower triangle
+/// alone has a meaning. A view.
+class EdgeBands {
+ public:
+  EdgeBands() = default;
+  explicit EdgeBands(std::span<Matrix3<Pack>> blocks) : blocks_(blocks) {}
+
+  bool empty() const { return blocks_.empty(); }
+  Matrix3<Pack>& block(int edge, int offset) const {
+    return blocks_[edge * edge_band_blocks + offset];
+  }
+
+ private:
+  std::span<Matrix3<Pack>> blocks_;
+};
+
+/// Where an energy adds its derivatives with respect to the edges of a group of strands; what is
+/// empty is not wanted.
+struct EdgeOutputs {
+  std::span<Vector3<Pack>> gradient;
+  EdgeBands hessian;
+};
+
+/// Gradient g and Hessian H of a function of the edges e_i = x_{i+1} - x_i of the strands of one
+/// group, and what they are with respect to the vertices x = (x_0, x_1, ...): with e = D x,
+///
+///     D^T g  and  D^T H D
+///
+/// An elastic energy depends on the edges alone. Its derivatives are fewer numbers with respect to
+/// them, and they are turned into those of the vertices once for all energies.
+class EdgeDerivatives {
+ public:
+  /// Zero, for strands of so many vertices. Allocates only where more are asked for than before.
+  void set_zero(int vertices);
+
+  EdgeOutputs outputs();
+  /// Row i of D^T g.
+  Vector3<Pack> gradient_row(int i) const { return gradient_[i] - gradient_[i + 1]; }
+  /// Writes row i of D^T H D: the band_blocks blocks of a row of GroupBands.
+  void write_hessian_row(int i, Matrix3<Pack>* row) const;
+  /// Adds all rows.
+  void add_to(const GroupOutputs& outputs) const;
+
+ private:
+  // Entry 0 stands for the edge before the root, which does not exist and stays zero, as does the
+  // one behind the tip.
+  int vertices_ = 0;
+  std::vector<Vector3<Pack>> gradient_;
+  std::vector<Matrix3<Pack>> blocks_;
+};
+
+}  // namespace ringlet
