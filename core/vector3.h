@@ -51,7 +51,7 @@ Vector3<S> select(const Condition& condition, const Vector3<S>& a, const Vector3
 /// A unit vector normal to a, which need not have unit length but must not be zero: a crossed with
 /// the axis on which it is shortest.
 template <class S>
-Vector3<S> any_normal(const Vector3<S>& a) {
+[[gnu::always_inline]] inline Vector3<S> any_normal(const Vector3<S>& a) {
   const S zero = S(0);
   const auto x_least = abs(a.x) <= abs(a.y) && abs(a.x) <= abs(a.z);
   const auto y_least = abs(a.y) <= abs(a.z);

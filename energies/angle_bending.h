@@ -4,6 +4,7 @@
 // closed-form filter of math.md, section 2.
 
 #include <algorithm>
+#include <array>
 
 #include "core/batch_energy.h"
 #include "energies/hinge.h"
@@ -86,42 +87,39 @@ struct AngleBending {
     const S force = hinge.stiffness * g;
     outputs.add_gradient(0, -force * plane.b0);
     outputs.add_gradient(1, -force * plane.b1);
+    constexpr std::size_t in_plane = filter == Filter::tight ? 2 : 4;
+    constexpr std::size_t off_plane = in_plane / 2;
+    std::array<RankOne<S, 3>, filter == Filter::gauss_newton ? 1 : in_plane + off_plane> terms;
+    // The first edge of the element is minus that of the hinge.
+    const auto set = [&](std::size_t i, const S& weight, const Vector3<S>& q0,
+                         const Vector3<S>& q1) {
+      terms[i].weight = hinge.stiffness * weight;
+      terms[i].q[0] = -q0;
+      terms[i].q[1] = q1;
+    };
     if constexpr (filter == Filter::gauss_newton) {
-      add_hessian(hinge, std::array{gauss_newton_term(plane, h)}, outputs);
+      set(0, max(h, S(0)), plane.b0, -plane.b1);
     } else {
-      constexpr std::size_t in_plane = filter == Filter::tight ? 2 : 4;
-      constexpr std::size_t off_plane = in_plane / 2;
-      std::array<PairTerm<S>, in_plane + off_plane> terms;
-      const auto in_plane_part = in_plane_terms<S, in_plane>(plane, g, h);
-      std::copy(in_plane_part.begin(), in_plane_part.end(), terms.begin());
-      const auto off_plane_part = off_plane_terms<S, off_plane>(hinge, normal, inverse, g, h);
-      std::copy(off_plane_part.begin(), off_plane_part.end(), terms.begin() + in_plane);
-      add_hessian(hinge, terms, outputs);
-    }
-    return hinge.stiffness * Law::value(turning, rest);
-  }
-
-  /// Over the edges of the element, of which the first is minus that of the hinge.
-  template <class S, std::size_t N>
-  static void add_hessian(const Hinge<S>& hinge, const std::array<PairTerm<S>, N>& pairs,
-                          ElementOutputs<S, 3> outputs) {
-    std::array<RankOne<S, 3>, N> terms;
-    for (std::size_t i = 0; i < N; ++i) {
-      const PairTerm<S>& pair = pairs[i];
-      terms[i] = {hinge.stiffness * pair.weight, {-pair.q0, pair.q1}};
+      for_in_plane_terms<in_plane>(plane, g, h, set);
+      for_off_plane_terms<off_plane>(
+          hinge, normal, inverse, g, h,
+          [&](std::size_t i, const S& weight, const Vector3<S>& q0, const Vector3<S>& q1) {
+            set(in_plane + i, weight, q0, q1);
+          });
     }
     outputs.add_hessian(terms);
+    return hinge.stiffness * Law::value(turning, rest);
   }
 
   /// The eigenpairs -g tan(theta/2) of (bh, bh) and g cot(theta/2) of (bh, -bh): the positive one,
   /// or both.
-  template <class S, std::size_t N>
-  static std::array<PairTerm<S>, N> off_plane_terms(const Hinge<S>& hinge, const Vector3<S>& normal,
-                                                    const S& inverse, const S& g, const S& h) {
+  template <std::size_t N, class S, class See>
+  [[gnu::always_inline]] static void for_off_plane_terms(const Hinge<S>& hinge,
+                                                         const Vector3<S>& normal, const S& inverse,
+                                                         const S& g, const S& h, const See& see) {
     const auto acute = hinge.e0_dot_e1 > S(0);
     const S ratio_to_first = hinge.n0 * hinge.lengths * inverse;  // |e0| / |e1|
     const S weight = S(0.5) * hinge.n1 * inverse;
-    std::array<PairTerm<S>, N> terms;
     if constexpr (N == 1) {
       const auto with_tangent = g < S(0);
       const auto small = with_tangent == acute;
@@ -134,17 +132,16 @@ struct AngleBending {
       const S bound = max(S(2.0 * h), S(1e14 * magnitude));
       const S eigenvalue = min(S(magnitude * (numerator / denominator)), bound);
       const S second = select(with_tangent, ratio_to_first, -ratio_to_first);
-      terms[0] = {weight * eigenvalue, normal, second * normal};
+      see(0, weight * eigenvalue, normal, second * normal);
     } else {
       // Truly unbounded at a straight hinge that is bent at rest; kept finite.
       constexpr double bound = 1e16;
       const S small = hinge.small_half_tangent(), large = hinge.large_half_tangent();
       const S with_tangent = max(-g * select(acute, small, large), S(-bound));
       const S with_cotangent = max(g * select(acute, large, small), S(-bound));
-      terms[0] = {weight * min(with_tangent, S(bound)), normal, ratio_to_first * normal};
-      terms[1] = {weight * min(with_cotangent, S(bound)), normal, -ratio_to_first * normal};
+      see(0, weight * min(with_tangent, S(bound)), normal, ratio_to_first * normal);
+      see(1, weight * min(with_cotangent, S(bound)), normal, -ratio_to_first * normal);
     }
-    return terms;
   }
 };
 

@@ -11,7 +11,6 @@
 //     +-|g|     (t0 -+ s b0, -t1 -+ s b1),  s the sign of g
 
 #include <algorithm>
-#include <array>
 
 #include "core/element.h"
 
@@ -46,36 +45,24 @@ struct AnglePlane {
   Vector3<S> t0, b0, t1, b1;
 };
 
-/// The matrix weight (q0, q1)(q0, q1)^T over the two vectors of an angle.
-template <class S>
-struct PairTerm {
-  S weight;
-  Vector3<S> q0, q1;
-};
-
-/// h grad grad^T, for h > 0.
-template <class S>
-PairTerm<S> gauss_newton_term(const AnglePlane<S>& plane, const S& h) {
-  return {max(h, S(0)), plane.b0, -plane.b1};
-}
-
-/// The in-plane Hessian: its positive part, two terms, and if `terms` has room for four, the
-/// negative part behind it.
-template <class S, std::size_t N>
-std::array<PairTerm<S>, N> in_plane_terms(const AnglePlane<S>& plane, const S& g, const S& h) {
+/// The in-plane Hessian as terms weight (q0, q1)(q0, q1)^T over the two vectors of an angle:
+/// see(number, weight, q0, q1) with its positive part, two terms, then, of four, its negative part.
+/// (An array of terms to return would be copied through memory.)
+template <std::size_t N, class S, class See>
+[[gnu::always_inline]] inline void for_in_plane_terms(const AnglePlane<S>& plane, const S& g,
+                                                      const S& h, const See& see) {
   static_assert(N == 2 || N == 4);
   const auto& [t0, b0, t1, b1] = plane;
   const SplitPair<S> split = split_pair(g, h);
   const S sign = copysign(S(1), g);
   const S half_weight = S(0.5) * split.weight, quarter_g = S(0.25) * abs(g);
-  std::array<PairTerm<S>, N> terms;
-  terms[0] = {half_weight, g * t0 - split.positive * b0, g * t1 + split.positive * b1};
-  terms[1] = {quarter_g, t0 - sign * b0, -t1 - sign * b1};
+  const auto& [weight, positive, negative] = split;
+  see(0, half_weight, g * t0 - positive * b0, g * t1 + positive * b1);
+  see(1, quarter_g, t0 - sign * b0, -t1 - sign * b1);
   if constexpr (N == 4) {
-    terms[2] = {-half_weight, g * t0 - split.negative * b0, g * t1 + split.negative * b1};
-    terms[3] = {-quarter_g, t0 + sign * b0, sign * b1 - t1};
+    see(2, -half_weight, g * t0 - negative * b0, g * t1 + negative * b1);
+    see(3, -quarter_g, t0 + sign * b0, sign * b1 - t1);
   }
-  return terms;
 }
 
 }  // namespace ringlet

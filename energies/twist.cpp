@@ -145,25 +145,26 @@ struct Twist {
     const Vector3<S> u = (inverse_u * inverse_u) * dihedral.u;
     const Vector3<S> v = (inverse_v * inverse_v) * dihedral.v;
     const AnglePlane<S> plane{u, cross(u, dihedral.d), v, cross(v, dihedral.d)};
-    // By the edges of the element, of which the first is minus e0, of what stands for u and v.
-    const auto by_edges = [&](const Vector3<S>& q0, const Vector3<S>& q1) {
-      return EdgeVectors<S, 4>{-q0, -(a * q0 + c * q1), q1};
-    };
-
+    // The first edge of the element is minus e0; what stands for u and v moves with e1, too.
     const S force = dihedral.stiffness * g;
-    const EdgeVectors<S, 4> gradient = by_edges(force * plane.b0, -force * plane.b1);
-    for (int n = 0; n < 3; ++n) outputs.add_gradient(n, gradient[n]);
+    const Vector3<S> first = force * plane.b0, last = -force * plane.b1;
+    outputs.add_gradient(0, -first);
+    outputs.add_gradient(1, -(a * first + c * last));
+    outputs.add_gradient(2, last);
 
     constexpr std::size_t half = filter == Filter::exact ? 4 : 2;
     std::array<RankOne<S, 4>, filter == Filter::gauss_newton ? 1 : 2 * half> terms;
-    const auto set = [&](std::size_t i, const PairTerm<S>& pair) {
-      terms[i] = {pair.weight, by_edges(pair.q0, pair.q1)};
+    const auto set = [&](std::size_t i, const S& weight, const Vector3<S>& q0,
+                         const Vector3<S>& q1) {
+      terms[i].weight = weight;
+      terms[i].q[0] = -q0;
+      terms[i].q[1] = -(a * q0 + c * q1);
+      terms[i].q[2] = q1;
     };
     if constexpr (filter == Filter::gauss_newton) {
-      set(0, gauss_newton_term(plane, S(1)));
+      set(0, S(1), plane.b0, -plane.b1);
     } else {
-      const auto in_plane = in_plane_terms<S, half>(plane, g, S(1));
-      for (std::size_t i = 0; i < half; ++i) set(i, in_plane[i]);
+      for_in_plane_terms<half>(plane, g, S(1), set);
       const std::span<RankOne<S, 4>, half> axial(terms.data() + half, half);
       if constexpr (filter == Filter::paper) {
         set_paper_axial_terms(dihedral, inverse_u, inverse_v, g, axial);

@@ -130,7 +130,7 @@ TEST_CASE("a value that is not finite is never accepted") {
   State unguarded = rest_state(*model);
   const StepReport failed =
       minimise(*model, {.newton_iterations = 20, .line_search = false}, unguarded, long_step);
-  CHECK_THAT(failed.failure, Catch::Contains("energy 0"));
+  CHECK_THAT(failed.failure, Catch::Contains("force number 1"));
 }
 
 TEST_CASE("a failure says what and where") {
@@ -143,7 +143,7 @@ TEST_CASE("a failure says what and where") {
   State state = rest_state(*model);
   const StepReport report = minimise(*model, {}, state, 0.01);
   CHECK_THAT(report.failure, Catch::Contains("Newton iteration 1") &&
-                                 Catch::Contains("'energy 1'") &&
+                                 Catch::Contains("'force number 1'") &&
                                  Catch::Contains("strand 1, vertex 3"));
   CHECK_FALSE(report.newton_converged);
 }
