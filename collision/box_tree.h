@@ -17,15 +17,21 @@ struct BoxPair {
 /// Finds overlaps of axis-aligned boxes with FCL's dynamic AABB tree. Boxes that touch overlap.
 class BoxTree {
  public:
+  /// Boxes of finite size.
   explicit BoxTree(std::span<const BoundingBox> boxes);
   ~BoxTree();
-  BoxTree(const BoxTree&) = delete;
-  BoxTree& operator=(const BoxTree&) = delete;
+  BoxTree(BoxTree&&) noexcept;
+  BoxTree& operator=(BoxTree&&) noexcept;
 
   /// The boxes, as many as before, have moved: the tree is refitted, not built anew.
   void refit(std::span<const BoundingBox> boxes);
-  /// All overlapping pairs, sorted by first, then second.
-  std::vector<BoxPair> overlapping_pairs() const;
+
+  /// The search for all overlapping pairs comes in parts, which threads can share. Each pair is
+  /// found in exactly one of them.
+  int part_count() const;
+  /// Appends the pairs of one part, in no particular order. Thread-safe.
+  void find_pairs(int part, std::vector<BoxPair>& pairs) const;
+
   /// Appends the boxes that overlap a given one, in no particular order. Thread-safe.
   void find_overlapping(const BoundingBox& box, std::vector<int>& found) const;
 

@@ -2,16 +2,9 @@
 
 #include <vector>
 
-#include "core/strands.h"
+#include "core/contact_detector.h"
 
 namespace ringlet {
-
-/// Two edges of strands; an edge has the number of its first vertex. first < second.
-struct EdgePair {
-  int first, second;
-
-  friend bool operator==(const EdgePair&, const EdgePair&) = default;
-};
 
 /// Which pairs of edges can be contacts, however near they are. Not those of one strand with less
 /// than a minimum of arc between their nearest ends, nor those that share a vertex; nor those of

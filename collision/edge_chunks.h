@@ -4,13 +4,12 @@
 #include <vector>
 
 #include "collision/box_tree.h"
-#include "core/lanes.h"
 #include "core/strands.h"
 
 namespace ringlet {
 
-/// No chunk has more edges than there are lanes.
-inline constexpr int chunk_edges = lane_count;
+/// No chunk has more edges: so many that a box around them is worth its while, and whole packs.
+inline constexpr int chunk_edges = 8;
 
 /// Some consecutive edges of one strand, of about equal number all along the strand.
 struct EdgeChunk {

@@ -45,6 +45,7 @@ Schema<FclStageParameters> FclStageParameters::schema() {
       .key("margin", &P::margin, "m", at_least(0),
            "candidates are collected this much further than the thickness, so that they last while "
            "strands move; half the thickness if absent")
+      .key("detector", &P::detector, "", any_number(), "finds the edges that are near each other")
       .key("detect", &P::detect, "", any_number(), "when candidates are collected anew")
       .key("colliders", &P::colliders, "", any_number(), "rigid bodies that strands may touch")
       .check([](P& p, const std::string&, ParseContext&) {
@@ -69,7 +70,8 @@ void FclStage::bind(const Strands& strands, const StrandGroups& groups, const Mo
   positions_.resize(strands.vertex_count());
   if (!parameters_.strand_contacts) return;
   rule_.emplace(strands, *parameters_.arc_distance);
-  search_.emplace(chunks_, *rule_, parameters_.thickness + *parameters_.margin);
+  detector_ = parameters_.detector.make();
+  detector_->bind(strands);
 }
 
 std::vector<Pin> FclStage::pins(const std::vector<Eigen::Vector3d>& positions) const {
@@ -95,7 +97,10 @@ void FclStage::detect(const VertexField& x) {
   if (parameters_.detect == DetectWhen::step && !candidates_are_old_) return;
   candidates_are_old_ = false;
   parallel_for_each(static_cast<int>(positions_.size()), [&](int v) { positions_[v] = x.get(v); });
-  if (search_) pairs_ = search_->find(positions_);
+  if (detector_) {
+    detector_->find(positions_, parameters_.thickness + *parameters_.margin, pairs_);
+    std::erase_if(pairs_, [&](const EdgePair& pair) { return !rule_->allows(pair); });
+  }
   collider_contacts_.detect(positions_);
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "collision/collider_contacts.h"
-#include "collision/edge_pair_search.h"
+#include "collision/contact_rule.h"
 #include "core/collision_stage.h"
 #include "core/registry.h"
 
@@ -28,6 +28,7 @@ struct FclStageParameters {
   std::optional<double> collider_thickness;
   std::optional<double> collider_stiffness;
   std::optional<double> margin;
+  Choice<ContactDetector> detector = "fcl";
   DetectWhen detect = DetectWhen::iteration;
   std::vector<Choice<Collider>> colliders;
 
@@ -57,7 +58,7 @@ class FclStage final : public CollisionStage {
   const StrandGroups* groups_ = nullptr;
   std::vector<EdgeChunk> chunks_;
   std::optional<ContactRule> rule_;
-  std::optional<EdgePairSearch> search_;
+  std::unique_ptr<ContactDetector> detector_;  // null: strands do not feel each other
   bool candidates_are_old_ = true;
   std::vector<Eigen::Vector3d> positions_;  // of the last detect()
   std::vector<EdgePair> pairs_;             // candidates

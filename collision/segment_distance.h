@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "core/contact_detector.h"
 #include "core/vector3.h"
 
 namespace ringlet {
@@ -38,5 +41,10 @@ SegmentProximity<S> closest_points(const Vector3<S>& p0, const Vector3<S>& p1, c
   s = clamp(divide(S(dot(r, d) + t * de), squared_norm(d)));
   return {s, t, squared_norm(r + t * e - s * d)};
 }
+
+/// Whether two edges are nearer to each other than reach. Detectors, which look for such pairs each
+/// in its own way, ask this of what they find: compiled once, it gives all of them the same answer,
+/// to the last bit, where the distance is the reach.
+bool is_nearer(std::span<const Eigen::Vector3d> positions, const EdgePair& pair, double reach);
 
 }  // namespace ringlet

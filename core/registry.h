@@ -21,6 +21,7 @@ class Force;
 class LinearSolver;
 class Integrator;
 class CollisionStage;
+class ContactDetector;
 class Collider;
 class Observer;
 
@@ -66,6 +67,10 @@ struct Kind<Integrator> {
 template <>
 struct Kind<CollisionStage> {
   static constexpr const char* name = "collision stage";
+};
+template <>
+struct Kind<ContactDetector> {
+  static constexpr const char* name = "contact detector";
 };
 template <>
 struct Kind<Collider> {
@@ -182,7 +187,7 @@ class Registry {
   std::tuple<Catalogue<StrandSource>, Catalogue<StrandReader>, Catalogue<RootSource>,
              Catalogue<Pose>, Catalogue<Motion>, Catalogue<Energy>, Catalogue<Force>,
              Catalogue<LinearSolver>, Catalogue<Integrator>, Catalogue<CollisionStage>,
-             Catalogue<Collider>, Catalogue<Observer>>
+             Catalogue<ContactDetector>, Catalogue<Collider>, Catalogue<Observer>>
       catalogues_;
 };
 
