@@ -14,11 +14,6 @@ struct SegmentProximity {
   S squared_distance;
 };
 
-template <class S>
-S clamp_to_unit(const S& a) {
-  return min(max(a, S(0)), S(1));
-}
-
 /// The closest points of two segments, end points included, for any scalar of a kernel. With
 /// d = p1 - p0, e = q1 - q0, r = q0 - p0, n = d x e, and [.] a clamp to [0, 1]:
 ///

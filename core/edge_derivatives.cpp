@@ -1,6 +1,7 @@
 #include "core/edge_derivatives.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace ringlet {
 

@@ -10,22 +10,9 @@ namespace ringlet {
 /// No stencil reaches further along a strand than three edges.
 inline constexpr int edge_band_blocks = band_blocks - 1;
 
-/// The symmetric block-banded matrices over the edges of the strands of a group: block(i, k) is the
-/// 3x3 block at (edge i, edge i - k), k = 0..2. Of the blocks on the diagonal the lower triangle
-/// alone has a meaning. A view.
-class EdgeBands {
- public:
-  EdgeBands() = default;
-  explicit EdgeBands(std::span<Matrix3<Pack>> blocks) : blocks_(blocks) {}
-
-  bool empty() const { return blocks_.empty(); }
-  Matrix3<Pack>& block(int edge, int offset) const {
-    return blocks_[edge * edge_band_blocks + offset];
-  }
-
- private:
-  std::span<Matrix3<Pack>> blocks_;
-};
+/// The matrices over the edges of the strands of a group, a row an edge. Of the blocks on the
+/// diagonal the lower triangle alone has a meaning.
+using EdgeBands = BlockBands<edge_band_blocks>;
 
 /// Where an energy adds its derivatives with respect to the edges of a group of strands; what is
 /// empty is not wanted.

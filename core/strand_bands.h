@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -9,28 +8,28 @@
 
 namespace ringlet {
 
-/// No stencil reaches further along a strand than four vertices.
-inline constexpr int band_blocks = 4;
-
-/// The symmetric block-banded matrices of the strands of a group. The lower triangle is
-/// stored: block(i, k) is the 3x3 block at (row i, column i - k), k = 0..3. Blocks that would lie
-/// outside the matrix (k > i) are not used. A view.
-class GroupBands {
+/// A symmetric block-banded matrix a lane, of which the lower triangle is kept: block(i, k) is the
+/// 3x3 block at (row i, column i - k), k = 0 .. blocks_a_row - 1. Blocks that would lie outside the
+/// matrix (k > i) are not used. A view.
+template <int blocks_a_row>
+class BlockBands {
  public:
-  GroupBands() = default;
-  explicit GroupBands(std::span<Matrix3<Pack>> blocks) : blocks_(blocks) {}
+  BlockBands() = default;
+  explicit BlockBands(std::span<Matrix3<Pack>> blocks) : blocks_(blocks) {}
 
   bool empty() const { return blocks_.empty(); }
-  int rows() const { return static_cast<int>(blocks_.size()) / band_blocks; }
-  Matrix3<Pack>& block(int row, int offset) const { return blocks_[row * band_blocks + offset]; }
+  int rows() const { return static_cast<int>(blocks_.size()) / blocks_a_row; }
+  Matrix3<Pack>& block(int row, int offset) const { return blocks_[row * blocks_a_row + offset]; }
   std::span<Matrix3<Pack>> blocks() const { return blocks_; }
-  void set_zero() const {
-    std::memset(static_cast<void*>(blocks_.data()), 0, blocks_.size_bytes());
-  }
 
  private:
   std::span<Matrix3<Pack>> blocks_;
 };
+
+/// No stencil reaches further along a strand than four vertices.
+inline constexpr int band_blocks = 4;
+/// The matrices of the strands of a group, a row a vertex.
+using GroupBands = BlockBands<band_blocks>;
 
 /// Where a term adds its derivatives with respect to the vertices of a group of strands; what is
 /// empty is not wanted.

@@ -7,7 +7,7 @@
 
 namespace ringlet {
 
-/// Factors the bands of a group in place, block row by block row, eight strands in lanes:
+/// Factors the bands of a group in place, block row by block row, strands side by side in lanes:
 ///
 ///     S(i, j) = A(i, j) - sum over m < j of L(i, m) L(j, m)^T
 ///     L(i, j) = S(i, j) L(j, j)^-T for j < i,   L(i, i) L(i, i)^T = S(i, i)

@@ -1,5 +1,5 @@
-// Block-banded Cholesky factorisation of every strand, eight strands in lanes. Exact where no
-// contact couples strands; else it solves with the strands' own blocks, those of contacts within
+// Block-banded Cholesky factorisation of every strand, strands side by side in lanes. Exact where
+// no contact couples strands; else it solves with the strands' own blocks, those of contacts within
 // the bands included, and leaves the couplings out. Golub, Van Loan: Matrix Computations, 4.3.5.
 
 #include <algorithm>
