@@ -1,8 +1,6 @@
-#include <filesystem>
-#include <fstream>
-
 #include "core/scene.h"
 #include "tests/catch.h"
+#include "tests/temporary_file.h"
 
 using namespace ringlet;
 
@@ -17,15 +15,6 @@ std::string problems_of(const std::string& text) {
   }
   return "";
 }
-
-struct TemporaryFile {
-  std::filesystem::path path;
-  explicit TemporaryFile(const std::string& text)
-      : path(std::filesystem::temp_directory_path() / "ringlet_test_scene.json") {
-    std::ofstream(path) << text;
-  }
-  ~TemporaryFile() { std::filesystem::remove(path); }
-};
 
 }  // namespace
 
@@ -42,19 +31,19 @@ TEST_CASE("a scene that names unknown things says so for each of them") {
 }
 
 TEST_CASE("JSON that is not JSON is refused with its place") {
-  const TemporaryFile broken("{\n  \"a\": 1,\n  \"b\" 2\n}");
-  CHECK_THROWS_WITH(load_json(broken.path), contains("line 3"));
+  const TemporaryFile broken("json", "{\n  \"a\": 1,\n  \"b\" 2\n}");
+  CHECK_THROWS_WITH(load_json(broken.path()), contains("line 3"));
   CHECK_THROWS_WITH(load_json("no/such/scene.json"), contains("no/such/scene.json"));
 }
 
 TEST_CASE("a key that stands twice is refused, not silently overwritten") {
-  const TemporaryFile twice(R"({"run": {"steps": 1, "steps": 2}})");
-  CHECK_THROWS_WITH(load_json(twice.path), contains("'steps' stands twice"));
-  const TemporaryFile separate(R"({"a": {"steps": 1}, "b": {"steps": 2}})");
-  CHECK_NOTHROW(load_json(separate.path));
+  const TemporaryFile twice("json", R"({"run": {"steps": 1, "steps": 2}})");
+  CHECK_THROWS_WITH(load_json(twice.path()), contains("'steps' stands twice"));
+  const TemporaryFile separate("json", R"({"a": {"steps": 1}, "b": {"steps": 2}})");
+  CHECK_NOTHROW(load_json(separate.path()));
 }
 
 TEST_CASE("comments are allowed in a scene") {
-  const TemporaryFile commented("{ // why\n \"a\": /* what */ 1}");
-  CHECK(load_json(commented.path)["a"] == 1);
+  const TemporaryFile commented("json", "{ // why\n \"a\": /* what */ 1}");
+  CHECK(load_json(commented.path())["a"] == 1);
 }

@@ -5,9 +5,9 @@
 #include "collision/colliders/triangle_distance.h"
 #include "core/collider.h"
 #include "tests/catch.h"
-#include "tests/collision/colliders/temporary_file.h"
 #include "tests/collision/make_plugin.h"
 #include "tests/collision/random_strands.h"
+#include "tests/temporary_file.h"
 
 using namespace ringlet;
 
@@ -88,7 +88,7 @@ Mesh spike() {
 }
 
 std::unique_ptr<Collider> make_mesh(const Mesh& mesh, double depth) {
-  const TemporaryFile file(to_obj(mesh.vertices, mesh.faces));
+  const TemporaryFile file("obj", to_obj(mesh.vertices, mesh.faces));
   return make_plugin<Collider>(
       {{"type", "mesh"}, {"path", file.path().string()}, {"depth", depth}});
 }

@@ -3,13 +3,15 @@
 #include "collision/colliders/obj_mesh.h"
 #include "core/error.h"
 #include "tests/catch.h"
-#include "tests/collision/colliders/temporary_file.h"
+#include "tests/temporary_file.h"
 
 using namespace ringlet;
 
 namespace {
 
-IndexedTriangles read(const std::string& text) { return read_obj_mesh(TemporaryFile(text).path()); }
+IndexedTriangles read(const std::string& text) {
+  return read_obj_mesh(TemporaryFile("obj", text).path());
+}
 
 const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 

@@ -1,35 +1,15 @@
 #pragma once
 
-#include <unistd.h>
-
-#include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <string>
+#include <vector>
 
 #include "core/strand_reader.h"
 #include "tests/catch.h"
 #include "tests/core/read_plugin.h"
+#include "tests/temporary_file.h"
 
 namespace ringlet {
-
-/// A file of given bytes that is gone at the end of its scope.
-class ScratchFile {
- public:
-  ScratchFile(const std::string& extension, const std::string& bytes)
-      : path_(std::filesystem::temp_directory_path() /
-              ("ringlet_test_" + std::to_string(getpid()) + "." + extension)) {
-    std::ofstream(path_, std::ios::binary) << bytes;
-  }
-  ~ScratchFile() { std::filesystem::remove(path_); }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The bytes of a number in this machine's order, which the readers require to be little endian.
 template <class T>
@@ -47,7 +27,7 @@ inline std::string bytes_of_points(const std::vector<float>& coordinates) {
 
 /// What the reader of an extension makes of some bytes.
 inline Polylines read_as(const std::string& extension, const std::string& bytes) {
-  const ScratchFile file(extension, bytes);
+  const TemporaryFile file(extension, bytes);
   return make_plugin<StrandReader>(extension)->read(file.path());
 }
 

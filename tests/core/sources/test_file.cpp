@@ -34,12 +34,14 @@ class CapturedLog {
   std::ostringstream text_;
 };
 
-Json source(const ScratchFile& file) { return {{"type", "file"}, {"path", file.path().string()}}; }
+Json source(const TemporaryFile& file) {
+  return {{"type", "file"}, {"path", file.path().string()}};
+}
 
 }  // namespace
 
 TEST_CASE("a file source merges short edges, drops points, and pins what is left") {
-  const ScratchFile file("obj", groom);
+  const TemporaryFile file("obj", groom);
   Json json = source(file);
   json["pinned"] = 3;
   json["motion"] = "nod";
@@ -55,7 +57,7 @@ TEST_CASE("a file source merges short edges, drops points, and pins what is left
 }
 
 TEST_CASE("the unit and the shortest edge of a file can be given") {
-  const ScratchFile file("obj", groom);
+  const TemporaryFile file("obj", groom);
   Json json = source(file);
   json["scale"] = 0.01;
   json["minimum_edge"] = 0;
@@ -68,9 +70,9 @@ TEST_CASE("the unit and the shortest edge of a file can be given") {
 
 TEST_CASE("the format of a file is known by its extension or told") {
   const CapturedLog log;
-  const ScratchFile file("obj", groom);
+  const TemporaryFile file("obj", groom);
   CHECK(read_plugin<StrandSource>(source(file)).choice.resolved()["format"]["type"] == "obj");
-  const ScratchFile other("mesh", groom);
+  const TemporaryFile other("mesh", groom);
   CHECK(read_plugin<StrandSource>(source(other))
             .has_one_problem("/path", "no strand reader for files named '.mesh'"));
   Json told = source(other);
@@ -80,7 +82,7 @@ TEST_CASE("the format of a file is known by its extension or told") {
 
 TEST_CASE("a file of points only is refused") {
   const CapturedLog log;
-  const ScratchFile file("obj", "v 0 0 0\nl 1 1\n");
+  const TemporaryFile file("obj", "v 0 0 0\nl 1 1\n");
   CHECK_THROWS_AS(make_plugin<StrandSource>(source(file))->generate(), Error);
 }
 
@@ -88,7 +90,7 @@ TEST_CASE("bad parameters of a file source are reported") {
   CHECK(read_plugin<StrandSource>({{"type", "file"}, {"path", "nowhere.hair"}})
             .has_one_problem("/path", "there is no file"));
   CHECK(read_plugin<StrandSource>("file").has_one_problem("/path", "missing"));
-  const ScratchFile file("obj", groom);
+  const TemporaryFile file("obj", groom);
   const auto with = [&](const char* key, const Json& value) {
     Json json = source(file);
     json[key] = value;
