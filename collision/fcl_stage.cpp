@@ -2,6 +2,8 @@
 // Parr, Darke, Kim, SCA 2023):
 //
 //     E = k/2 (h - d)^2 for every pair of strand edges, and every vertex and collider, at d < h
+//
+// but that h is the distance at rest of two edges, where that is less.
 
 #include "collision/fcl_stage.h"
 
@@ -34,6 +36,9 @@ Schema<FclStageParameters> FclStageParameters::schema() {
       .key("stiffness", &P::stiffness, "N/m", at_least(0), "of the penalty, per contact")
       .key("strand_contacts", &P::strand_contacts, "", any_number(),
            "whether strands feel each other and themselves")
+      .key("push_at_rest", &P::push_at_rest, "", any_number(),
+           "whether strands that are nearer than the thickness in their rest shape push each other "
+           "even there; else only where they come nearer than at rest")
       .key(
           "arc_distance", &P::arc_distance, "m", at_least(0),
           "two edges of one strand with less arc between them do not touch; twice the thickness if "
@@ -58,7 +63,6 @@ Schema<FclStageParameters> FclStageParameters::schema() {
 
 FclStage::FclStage(const FclStageParameters& parameters)
     : parameters_(parameters),
-      strand_penalty_{parameters.thickness, parameters.stiffness},
       collider_contacts_(make_all(parameters.colliders),
                          {*parameters.collider_thickness, *parameters.collider_stiffness},
                          *parameters.margin) {}
@@ -72,6 +76,7 @@ void FclStage::bind(const Strands& strands, const StrandGroups& groups, const Mo
   rule_.emplace(strands, *parameters_.arc_distance);
   detector_ = parameters_.detector.make();
   detector_->bind(strands);
+  if (!parameters_.push_at_rest) rest_pairs_.emplace(strands, *detector_, parameters_.thickness);
 }
 
 std::vector<Pin> FclStage::pins(const std::vector<Eigen::Vector3d>& positions) const {
@@ -100,14 +105,17 @@ void FclStage::detect(const VertexField& x) {
   if (detector_) {
     detector_->find(positions_, parameters_.thickness + *parameters_.margin, pairs_);
     std::erase_if(pairs_, [&](const EdgePair& pair) { return !rule_->allows(pair); });
+    thickness_.assign(pairs_.size(), parameters_.thickness);
+    if (rest_pairs_) rest_pairs_->limit(pairs_, thickness_);
   }
   collider_contacts_.detect(positions_);
 }
 
 void FclStage::evaluate(const VertexField& x) {
   contacts_.resize(pairs_.size() + collider_contacts_.candidate_count());
-  parallel_for_each(static_cast<int>(pairs_.size()),
-                    [&](int p) { contacts_[p] = evaluate_pair(pairs_[p], x, strand_penalty_); });
+  parallel_for_each(static_cast<int>(pairs_.size()), [&](int p) {
+    contacts_[p] = evaluate_pair(pairs_[p], x, {thickness_[p], parameters_.stiffness});
+  });
   collider_contacts_.evaluate(x, std::span(contacts_).subspan(pairs_.size()));
 }
 

@@ -6,6 +6,7 @@
 
 #include "collision/collider_contacts.h"
 #include "collision/contact_rule.h"
+#include "collision/rest_pairs.h"
 #include "core/collision_stage.h"
 #include "core/registry.h"
 
@@ -24,6 +25,7 @@ struct FclStageParameters {
   double thickness = 1e-3;
   double stiffness = 2;
   bool strand_contacts = true;
+  bool push_at_rest = false;
   std::optional<double> arc_distance;
   std::optional<double> collider_thickness;
   std::optional<double> collider_stiffness;
@@ -53,7 +55,6 @@ class FclStage final : public CollisionStage {
   void evaluate(const VertexField& x);
 
   FclStageParameters parameters_;
-  Penalty strand_penalty_;
   ColliderContacts collider_contacts_;
   const StrandGroups* groups_ = nullptr;
   std::vector<EdgeChunk> chunks_;
@@ -61,7 +62,9 @@ class FclStage final : public CollisionStage {
   std::unique_ptr<ContactDetector> detector_;  // null: strands do not feel each other
   bool candidates_are_old_ = true;
   std::vector<Eigen::Vector3d> positions_;  // of the last detect()
+  std::optional<RestPairs> rest_pairs_;     // absent: pairs push at rest too
   std::vector<EdgePair> pairs_;             // candidates
+  std::vector<double> thickness_;           // of each pair
   std::vector<Contact> contacts_;           // of the pairs, then of the colliders
   ContactReport report_;
 };

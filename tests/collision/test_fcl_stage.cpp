@@ -72,14 +72,16 @@ void add_nod(Motions& motions) {
   motions.add("nod", std::move(parts));
 }
 
-const char* const bundle_stage = R"({"type": "fcl", "thickness": 2e-3, "stiffness": 3,
+const char* const bundle_stage =
+    R"({"type": "fcl", "thickness": 2e-3, "stiffness": 3, "push_at_rest": true,
   "colliders": [{"type": "sphere", "radius": 0.01}, {"type": "plane", "normal": [0, 0, 1]}]})";
 
 }  // namespace
 
 TEST_CASE("the stage's energy is the sum over all pairs of edges that are near") {
   std::mt19937 random(19);
-  Scenery s(random_bundle(random, 30), R"({"type": "fcl", "thickness": 2e-3, "stiffness": 3})");
+  Scenery s(random_bundle(random, 30),
+            R"({"type": "fcl", "thickness": 2e-3, "stiffness": 3, "push_at_rest": true})");
   s.start();
   const Points x = rest_positions(s.strands);
   std::vector<double> arc(x.size(), 0);
@@ -147,7 +149,7 @@ TEST_CASE("the stage's Hessian is symmetric and semi-definite") {
 
 TEST_CASE("two edges far from parallel: the Hessian along the normal is that of differences") {
   Scenery s(Strands({2, 2}, {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0.05}, {0, 1, 0.05}}, Material{}),
-            R"({"type": "fcl", "thickness": 0.1, "stiffness": 3})");
+            R"({"type": "fcl", "thickness": 0.1, "stiffness": 3, "push_at_rest": true})");
   s.start();
   VertexField along(s.groups), moved = s.x;
   for (int v = 0; v < 2; ++v) along.set(v, {0, 0, 1});
@@ -160,7 +162,8 @@ TEST_CASE("two edges far from parallel: the Hessian along the normal is that of 
 }
 
 TEST_CASE("nothing pushes beyond the thickness, and crossing strands get a finite force") {
-  const char* const json = R"({"type": "fcl", "thickness": 0.1, "stiffness": 2})";
+  const char* const json =
+      R"({"type": "fcl", "thickness": 0.1, "stiffness": 2, "push_at_rest": true})";
   Scenery apart(Strands({2, 2}, {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0.11}, {0, 1, 0.11}}, Material{}),
                 json);
   apart.start();
@@ -174,6 +177,23 @@ TEST_CASE("nothing pushes beyond the thickness, and crossing strands get a finit
   const VertexField gradient = crossing.gradient_at(crossing.x);
   CHECK(gradient.get(0).norm() == Approx(0.1));  // half of k h, on each end
   CHECK((gradient.get(0) + gradient.get(2)).norm() < 1e-12);
+}
+
+TEST_CASE("edges in contact at rest push only where they come nearer than they were") {
+  Scenery s(Strands({2, 2, 2},
+                    {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0.04}, {0, 1, 0.04}, {3, -1, 0.5}, {3, 1, 0.5}},
+                    Material{}),
+            R"({"type": "fcl", "thickness": 0.1, "stiffness": 2})");
+  s.start();
+  CHECK(s.stage->add(s.x, nullptr, nullptr) == 0);
+  CHECK(s.stage->report().strand_contacts == 0);
+  for (const int v : {2, 3}) s.x.add(v, {0, 0, -0.01});
+  CHECK(s.stage->add(s.x, nullptr, nullptr) == Approx(0.01 * 0.01).epsilon(1e-3));
+
+  for (const int v : {4, 5})
+    s.x.add(v, {-2.5, 0, -0.41});  // not near at rest: all of the thickness
+  s.stage->detect(s.x);
+  CHECK(s.stage->add(s.x, nullptr, nullptr) == Approx(2 * 0.01 * 0.01).epsilon(1e-3));
 }
 
 TEST_CASE("strands feel each other only if they are asked to") {
