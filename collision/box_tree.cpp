@@ -5,18 +5,21 @@
 
 #include <cstdint>
 
+#include "collision/box_lanes.h"
+#include "collision/median_split.h"
 #include "core/parallel.h"
 
 namespace ringlet {
 namespace {
 
-// The tree itself, of which FCL's broad phase managers are made: these add a collision object a
-// box, a hash table to find its leaf, and a query of one thread.
+// The tree itself, of which FCL's public broad phase managers are made. These add a collision
+// object a box and a hash table to find its leaf, put every object that moved into the tree anew,
+// and search with one thread and a callback a pair.
 using Hierarchy = fcl::detail::HierarchyTree<fcl::AABBd>;
 using Node = Hierarchy::NodeType;
 
 // Enough parts that threads end at about the same time.
-constexpr std::size_t subtree_parts = 64, query_parts = 512;
+constexpr std::size_t query_parts = 512;
 
 int index_of(const Node* leaf) {
   return static_cast<int>(reinterpret_cast<std::intptr_t>(leaf->data));
@@ -32,12 +35,37 @@ fcl::AABBd to_fcl(const BoundingBox& box) { return fcl::AABBd(box.min(), box.max
 
 void unite_children(Node* node) { node->bv = node->children[0]->bv + node->children[1]->bv; }
 
-void refit_subtree(Node* node) {
+void refit_branches(Node* node) {
   if (node->isLeaf()) return;
-  refit_subtree(node->children[0]);
-  refit_subtree(node->children[1]);
+  refit_branches(node->children[0]);
+  refit_branches(node->children[1]);
   unite_children(node);
 }
+
+// False for what is not a number, which would spread to all boxes around it.
+bool has_inside(const BoundingBox& box) { return (box.min().array() <= box.max().array()).all(); }
+
+/// Some neighbouring boxes, which are tested side by side in lanes: the leaves of the tree.
+struct Bundle {
+  std::array<int, BoxLanes::size> boxes;
+  BoxLanes lanes;
+  BoxSides around;
+
+  explicit Bundle(std::span<const int> part) {
+    boxes.fill(-1);
+    std::copy(part.begin(), part.end(), boxes.begin());
+  }
+  void refit(std::span<const BoundingBox> all, const Eigen::Vector3d& origin, Node* leaf) {
+    BoundingBox sum;
+    for (int lane = 0; lane < BoxLanes::size; ++lane) {
+      const int box = boxes[lane];
+      lanes.set(lane, box < 0 ? BoxSides::none() : BoxSides::around(all[box], origin));
+      if (box >= 0 && has_inside(all[box])) sum.extend(all[box]);
+    }
+    around = BoxSides::around(sum, origin);
+    leaf->bv = to_fcl(sum);
+  }
+};
 
 /// Overlaps of the leaves of one subtree with those of another; or among each other, if the two
 /// are the same.
@@ -50,7 +78,6 @@ template <class Visit>
 void split(const Query& query, const Visit& visit) {
   const auto [a, b] = query;
   if (a == b) {
-    if (a->isLeaf()) return;
     visit(Query{a->children[0], a->children[0]});
     visit(Query{a->children[1], a->children[1]});
     visit(Query{a->children[0], a->children[1]});
@@ -61,59 +88,56 @@ void split(const Query& query, const Visit& visit) {
   }
 }
 
-bool is_pair_of_leaves(const Query& query) {
-  return query.a != query.b && query.a->isLeaf() && query.b->isLeaf();
-}
+bool is_pair_of_leaves(const Query& query) { return query.a->isLeaf() && query.b->isLeaf(); }
 
 bool can_overlap(const Query& query) {
   return query.a == query.b || overlap(query.a->bv, query.b->bv);
 }
 
-void search(const Query& query, std::vector<BoxPair>& pairs) {
-  if (is_pair_of_leaves(query)) {
-    const int i = index_of(query.a), j = index_of(query.b);
-    pairs.push_back({std::min(i, j), std::max(i, j)});
-    return;
-  }
-  split(query, [&](const Query& smaller) {
-    if (can_overlap(smaller)) search(smaller, pairs);
-  });
-}
-
-void search(const Node* node, const fcl::AABBd& box, std::vector<int>& found) {
-  if (!overlap(node->bv, box)) return;
-  if (node->isLeaf()) {
-    found.push_back(index_of(node));
-  } else {
-    for (const Node* child : node->children) search(child, box, found);
-  }
-}
-
 }  // namespace
 
 struct BoxTree::Tree {
-  std::vector<Node*> leaves;  // of each box
+  std::vector<Bundle> bundles;
+  std::vector<Node*> leaves;  // of each bundle
   Hierarchy hierarchy;
-  std::vector<Node*> subtrees;  // that threads refit
-  std::vector<Node*> top;       // the nodes above them, children behind their parents
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // from which lanes see boxes
   std::vector<Query> queries;
 
-  void find_subtrees() {
-    subtrees.push_back(hierarchy.getRoot());
-    for (std::size_t n = 0; n < subtrees.size() && subtrees.size() < n + subtree_parts; ++n) {
-      Node* const node = subtrees[n];
-      top.push_back(node);
-      if (!node->isLeaf()) subtrees.insert(subtrees.end(), node->children, node->children + 2);
-    }
-    subtrees.erase(subtrees.begin(), subtrees.begin() + static_cast<std::ptrdiff_t>(top.size()));
+  void refit_bundles(std::span<const BoundingBox> boxes) {
+    origin = boxes[0].center();
+    parallel_for_each(static_cast<int>(bundles.size()),
+                      [&](int b) { bundles[b].refit(boxes, origin, leaves[b]); });
   }
 
-  void refit() {
-    parallel_for_each(static_cast<int>(subtrees.size()),
-                      [&](int n) { refit_subtree(subtrees[n]); });
-    for (auto node = top.rbegin(); node != top.rend(); ++node) {
-      if (!(*node)->isLeaf()) unite_children(*node);
+  void find_pairs(const Query& query, std::vector<BoxPair>& pairs) const {
+    if (is_pair_of_leaves(query)) {
+      find_in(bundles[index_of(query.a)], bundles[index_of(query.b)], pairs);
+      return;
     }
+    split(query, [&](const Query& smaller) {
+      if (can_overlap(smaller)) find_pairs(smaller, pairs);
+    });
+  }
+
+  static void find_in(const Bundle& a, const Bundle& b, std::vector<BoxPair>& pairs) {
+    a.lanes.for_each_overlapping(b.around, [&](int lane) {
+      const int i = a.boxes[lane];
+      b.lanes.for_each_overlapping(a.lanes.get(lane), [&](int other_lane) {
+        const int j = b.boxes[other_lane];
+        if (&a != &b || i < j) pairs.push_back({std::min(i, j), std::max(i, j)});
+      });
+    });
+  }
+
+  void search(const Node* node, const BoundingBox& box, std::vector<int>& found) const {
+    if (!overlap(node->bv, to_fcl(box))) return;
+    if (!node->isLeaf()) {
+      for (const Node* child : node->children) search(child, box, found);
+      return;
+    }
+    const Bundle& bundle = bundles[index_of(node)];
+    bundle.lanes.for_each_overlapping(BoxSides::around(box, origin),
+                                      [&](int lane) { found.push_back(bundle.boxes[lane]); });
   }
 
   void find_queries() {
@@ -136,16 +160,19 @@ struct BoxTree::Tree {
 
 BoxTree::BoxTree(std::span<const BoundingBox> boxes) : tree_(std::make_unique<Tree>()) {
   if (boxes.empty()) return;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
+  std::vector<Eigen::Vector3d> centres;
+  for (const BoundingBox& box : boxes) centres.push_back(box.center());
+  split_at_medians(centres, BoxLanes::size,
+                   [&](std::span<const int> part) { tree_->bundles.emplace_back(part); });
+  for (std::size_t b = 0; b < tree_->bundles.size(); ++b) {
     auto leaf = std::make_unique<Node>();
-    leaf->bv = to_fcl(boxes[i]);
     leaf->parent = leaf->children[1] = nullptr;
-    leaf->data = reinterpret_cast<void*>(static_cast<std::intptr_t>(i));
+    leaf->data = reinterpret_cast<void*>(static_cast<std::intptr_t>(b));
     tree_->leaves.push_back(leaf.release());  // FCL deletes it
   }
+  tree_->refit_bundles(boxes);
   std::vector<Node*> leaves = tree_->leaves;
   tree_->hierarchy.init(leaves);
-  tree_->find_subtrees();
   tree_->find_queries();
 }
 
@@ -155,8 +182,8 @@ BoxTree& BoxTree::operator=(BoxTree&&) noexcept = default;
 
 void BoxTree::refit(std::span<const BoundingBox> boxes) {
   if (boxes.empty()) return;
-  for (std::size_t i = 0; i < boxes.size(); ++i) tree_->leaves[i]->bv = to_fcl(boxes[i]);
-  tree_->refit();
+  tree_->refit_bundles(boxes);
+  refit_branches(tree_->hierarchy.getRoot());
   tree_->find_queries();
 }
 
@@ -164,11 +191,11 @@ int BoxTree::part_count() const { return static_cast<int>(tree_->queries.size())
 
 void BoxTree::find_pairs(int part, std::vector<BoxPair>& pairs) const {
   const Query& query = tree_->queries[part];
-  if (can_overlap(query)) search(query, pairs);
+  if (can_overlap(query)) tree_->find_pairs(query, pairs);
 }
 
 void BoxTree::find_overlapping(const BoundingBox& box, std::vector<int>& found) const {
-  if (!tree_->leaves.empty()) search(tree_->hierarchy.getRoot(), to_fcl(box), found);
+  if (!tree_->bundles.empty()) tree_->search(tree_->hierarchy.getRoot(), box, found);
 }
 
 }  // namespace ringlet

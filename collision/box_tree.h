@@ -14,7 +14,9 @@ struct BoxPair {
   int first, second;
 };
 
-/// Finds overlaps of axis-aligned boxes with FCL's dynamic AABB tree. Boxes that touch overlap.
+/// Finds overlaps of axis-aligned boxes with FCL's dynamic AABB tree over bundles of neighbouring
+/// ones, which are then tested side by side in lanes. Boxes that touch overlap, and so may ones
+/// that come as near as rounding to floats, seen from one of the boxes.
 class BoxTree {
  public:
   /// Boxes of finite size.

@@ -1,8 +1,9 @@
 #include "collision/colliders/triangle_clusters.h"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
+
+#include "collision/median_split.h"
 
 namespace ringlet {
 namespace {
@@ -32,32 +33,15 @@ TriangleCluster make_cluster(const std::vector<SurfaceTriangle>& surface,
   return cluster;
 }
 
-void split(const std::vector<SurfaceTriangle>& surface, std::span<int> triangles,
-           std::vector<TriangleCluster>& clusters) {
-  if (triangles.size() <= lane_count) {
-    if (!triangles.empty()) clusters.push_back(make_cluster(surface, triangles));
-    return;
-  }
-  BoundingBox centres;
-  for (const int triangle : triangles) centres.extend(centre(surface[triangle]));
-  int axis = 0;
-  centres.sizes().maxCoeff(&axis);
-  // A multiple of eight on one side keeps the clusters full.
-  const std::size_t half = (triangles.size() / 2 + lane_count - 1) / lane_count * lane_count;
-  std::nth_element(
-      triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(half), triangles.end(),
-      [&](int a, int b) { return centre(surface[a])[axis] < centre(surface[b])[axis]; });
-  split(surface, triangles.first(half), clusters);
-  split(surface, triangles.subspan(half), clusters);
-}
-
 }  // namespace
 
 std::vector<TriangleCluster> cluster_triangles(const std::vector<SurfaceTriangle>& surface) {
-  std::vector<int> triangles(surface.size());
-  std::iota(triangles.begin(), triangles.end(), 0);
+  std::vector<Eigen::Vector3d> centres;
+  for (const SurfaceTriangle& triangle : surface) centres.push_back(centre(triangle));
   std::vector<TriangleCluster> clusters;
-  split(surface, triangles, clusters);
+  split_at_medians(centres, lane_count, [&](std::span<const int> triangles) {
+    clusters.push_back(make_cluster(surface, triangles));
+  });
   return clusters;
 }
 

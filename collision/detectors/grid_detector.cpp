@@ -11,7 +11,7 @@
 
 #include "collision/detectors/growth.h"
 #include "collision/detectors/pair_lists.h"
-#include "collision/segment_distance.h"
+#include "collision/detectors/pair_sieve.h"
 #include "core/parallel.h"
 #include "core/registry.h"
 
@@ -59,19 +59,15 @@ class GridDetector final : public ContactDetector {
     const int count = static_cast<int>(edges_.size());
     std::vector<std::vector<EdgePair>> found((count + edges_a_part - 1) / edges_a_part);
     parallel_for_each(static_cast<int>(found.size()), [&](int part) {
+      PairSieve sieve(positions, reach, found[part]);
       const int end = std::min(count, (part + 1) * edges_a_part);
-      for (int i = part * edges_a_part; i < end; ++i) {
-        find_near(i, {positions, reach}, found[part]);
-      }
+      for (int i = part * edges_a_part; i < end; ++i) find_near(i, sieve);
+      sieve.flush();
     });
     merge_sorted(found, pairs);
   }
 
  private:
-  struct Search {
-    std::span<const Eigen::Vector3d> positions;
-    double reach;
-  };
   /// Where an edge stands, before they are sorted.
   struct Place {
     std::uint32_t bucket;
@@ -155,14 +151,14 @@ class GridDetector final : public ContactDetector {
 
   // The pairs of one edge with those behind it in its level, and with all in levels of larger
   // cells.
-  void find_near(int i, const Search& search, std::vector<EdgePair>& found) const {
+  void find_near(int i, PairSieve& sieve) const {
     const auto [own, level] = places_[sorted_[i]];
     // Half of the adjacent cells; those in the other half find this edge.
-    look_along(i, i + 1, end_of(own), search, found);
-    look_into(i, own + 1, own + 1, search, found);
+    look_along(i, i + 1, end_of(own), sieve);
+    look_into(i, own + 1, own + 1, sieve);
     for (const std::uint32_t row :
          {row_stride, layer_stride - row_stride, layer_stride, layer_stride + row_stride}) {
-      look_into(i, own + row - 1, own + row + 1, search, found);
+      look_into(i, own + row - 1, own + row + 1, sieve);
     }
     for (int larger = 0; larger < level; ++larger) {
       if (!is_occupied_[larger]) continue;
@@ -170,7 +166,7 @@ class GridDetector final : public ContactDetector {
       const std::uint32_t middle = bucket(cell, larger);
       for (const std::uint32_t layer : {0u - layer_stride, 0u, layer_stride}) {
         for (const std::uint32_t row : {0u - row_stride, 0u, row_stride}) {
-          look_into(i, middle + layer + row - 1, middle + layer + row + 1, search, found);
+          look_into(i, middle + layer + row - 1, middle + layer + row + 1, sieve);
         }
       }
     }
@@ -179,28 +175,26 @@ class GridDetector final : public ContactDetector {
   int end_of(std::uint32_t bucket) const { return begins_[bucket + 1]; }
 
   // All edges in the buckets from first to last, three at most, modulo their number.
-  void look_into(int i, std::uint32_t first, std::uint32_t last, const Search& search,
-                 std::vector<EdgePair>& found) const {
+  void look_into(int i, std::uint32_t first, std::uint32_t last, PairSieve& sieve) const {
     const std::uint32_t mask = buckets_ - 1;
     if ((first & mask) + (last - first) <= mask) {
-      look_along(i, begins_[first & mask], end_of(last & mask), search, found);
+      look_along(i, begins_[first & mask], end_of(last & mask), sieve);
     } else {
       for (; first != last + 1; ++first) {
-        look_along(i, begins_[first & mask], end_of(first & mask), search, found);
+        look_along(i, begins_[first & mask], end_of(first & mask), sieve);
       }
     }
   }
 
   // The sorted edges from begin to end.
-  void look_along(int i, int begin, int end, const Search& search,
-                  std::vector<EdgePair>& found) const {
+  void look_along(int i, int begin, int end, PairSieve& sieve) const {
     for (int j = begin; j < end; j += float_lanes) {
       auto near = overlap(0, i, j) && overlap(1, i, j) && overlap(2, i, j);
       while (std::experimental::any_of(near)) {
         const int lane = std::experimental::find_first_set(near);
         if (j + lane >= end) break;
         near[lane] = false;
-        consider(edges_[sorted_[i]], edges_[sorted_[j + lane]], search, found);
+        consider(edges_[sorted_[i]], edges_[sorted_[j + lane]], sieve);
       }
     }
   }
@@ -212,11 +206,9 @@ class GridDetector final : public ContactDetector {
            Floats(&high[j], element_aligned) >= low[i];
   }
 
-  static void consider(int a, int b, const Search& search, std::vector<EdgePair>& found) {
+  static void consider(int a, int b, PairSieve& sieve) {
     const EdgePair pair{std::min(a, b), std::max(a, b)};
-    if (pair.first + 1 < pair.second && is_nearer(search.positions, pair, search.reach)) {
-      found.push_back(pair);
-    }
+    if (pair.first + 1 < pair.second) sieve.add(pair);
   }
 
   // Far from each other, and odd, so that the cells of a region fill the buckets evenly.
