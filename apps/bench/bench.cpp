@@ -3,12 +3,22 @@
 namespace ringlet {
 
 std::vector<Bench> all_benches() {
-  return {
-      {"filters", "what each filter of the Hessian costs, and how many Newton iterations it takes",
-       bench_filters},
-      {"step", "a step of the hairball, from 500 to 8,000 wisps, stage by stage", bench_step},
-      {"strand", "a step of the single strands of the paper", bench_strand},
-      {"solvers", "linear solvers on one system of the hairball", bench_solvers}};
+  return {{.name = "filters",
+           .summary = "what each filter of the Hessian costs, and its Newton iterations",
+           .run = bench_filters},
+          {.name = "step",
+           .summary = "a step of the hairball, from 500 to 8,000 wisps, stage by stage",
+           .run = bench_step,
+           .has_strands = true,
+           .has_threads = true},
+          {.name = "strand",
+           .summary = "a step of the single strands of the paper",
+           .run = bench_strand},
+          {.name = "solvers",
+           .summary = "linear solvers on one system of the hairball",
+           .run = bench_solvers,
+           .has_strands = true,
+           .has_threads = true}};
 }
 
 }  // namespace ringlet

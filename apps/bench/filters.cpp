@@ -68,12 +68,17 @@ std::vector<double> relative_traces(const EnergyMaker& make, const std::string& 
   return traces;
 }
 
-BenchTable bench_elements(const Registry& registry, const BenchOptions& options) {
-  BenchTable table{
+void bench_elements(const Registry& registry, const BenchOptions& options, BenchOutput& output) {
+  output.start_table(
       "Filters: an element with gradient and Hessian, in lanes on one thread; trace of "
       "the Hessian of 400 random elements relative to that of the numeric clamp",
-      {"energy", "filter", "ns an element", "spread", "clamp takes x times as long",
-       "trace, median", "trace, worst"}};
+      {{"energy", "/parameters/energy"},
+       {"filter", "/parameters/filter"},
+       {"ns an element", "/seconds", 1e-9},
+       {"spread", "/spread", 1e-9},
+       {"clamp takes x times as long", "/ratio"},
+       {"trace, median", "/figures/median_trace"},
+       {"trace, worst", "/figures/worst_trace"}});
   for (const std::string& name : registry.of<Energy>().names()) {
     const EnergyMaker make = energy_maker(registry, name);
     const auto energy = make(Json::object());
@@ -83,11 +88,14 @@ BenchTable bench_elements(const Registry& registry, const BenchOptions& options)
     for (const auto& [filter, filter_name] : EnumNames<Filter>::names) {
       const Timing timing = time_elements(make, {{"filter", filter_name}}, vertices, options);
       const auto traces = relative_traces(make, filter_name, vertices, options.quick() ? 5 : 400);
-      table.rows.push_back({name, filter_name, 1e9 * timing.median, 1e9 * timing.spread,
-                            clamp / timing.median, traces[traces.size() / 2], traces.back()});
+      output.add({.name = "filters/element",
+                  .parameters = {{"energy", name}, {"filter", filter_name}},
+                  .time = timing,
+                  .ratio = clamp / timing.median,
+                  .figures = {{"median_trace", traces[traces.size() / 2]},
+                              {"worst_trace", traces.back()}}});
     }
   }
-  return table;
 }
 
 /// Newton iterations of each step of a scene with that filter in all energies.
@@ -110,30 +118,34 @@ std::vector<int> newton_iterations(const Registry& registry, const std::string& 
   return iterations;
 }
 
-BenchTable bench_newton(const Registry& registry, const BenchOptions& options) {
+void bench_newton(const Registry& registry, const BenchOptions& options, BenchOutput& output) {
   const std::vector<std::string> scenes{"smash", "jitter", "hanging_curl"};
-  BenchTable table{
+  std::vector<Column> columns{{"filter", "/parameters/filter"}};
+  for (const std::string& scene : scenes) {
+    columns.push_back({scene + ", first", "/figures/" + scene + "/first"});
+    columns.push_back({scene + ", mean", "/figures/" + scene + "/mean"});
+  }
+  output.start_table(
       "Filters: Newton iterations until no vertex moves by more than 1e-8 m/s times dt; "
-      "first step / mean of 30 steps",
-      {"filter"}};
-  table.columns.insert(table.columns.end(), scenes.begin(), scenes.end());
+      "of the first step, and the mean of 30 steps",
+      columns);
   for (const auto& [filter, name] : EnumNames<Filter>::names) {
-    std::vector<Json> row{name};
+    BenchRow row{.name = "filters/newton", .parameters = {{"filter", name}}};
     for (const std::string& scene : scenes) {
       const auto counts = options.quick() ? newton_iterations(registry, scene, name, 1, 2)
                                           : newton_iterations(registry, scene, name, 30, 2000);
       const double sum = std::accumulate(counts.begin(), counts.end(), 0.0);
-      row.push_back(fmt::format("{} / {:.1f}", counts[0], sum / counts.size()));
+      row.figures[scene] = {{"first", counts[0]}, {"mean", sum / counts.size()}};
     }
-    table.rows.push_back(row);
+    output.add(row);
   }
-  return table;
 }
 
 }  // namespace
 
-std::vector<BenchTable> bench_filters(const Registry& registry, const BenchOptions& options) {
-  return {bench_elements(registry, options), bench_newton(registry, options)};
+void bench_filters(const Registry& registry, const BenchOptions& options, BenchOutput& output) {
+  bench_elements(registry, options, output);
+  bench_newton(registry, options, output);
 }
 
 }  // namespace ringlet

@@ -35,6 +35,13 @@ void with_threads(int threads, const std::function<void()>& function) {
   tbb::task_arena(threads).execute(function);
 }
 
+Json as_json(const StageSeconds& stages) {
+  return {{"detect", stages.detect},
+          {"evaluate", stages.evaluate},
+          {"solve", stages.solve},
+          {"line_search", stages.line_search}};
+}
+
 StepFigures measure_steps(const Registry& registry, const Json& scene, int first, int last) {
   using Clock = std::chrono::steady_clock;
   Simulation simulation(read_scene(scene, registry, "."));

@@ -23,6 +23,9 @@ struct StepFigures {
   double newton_iterations = 0, linear_iterations = 0, contacts = 0;
 };
 
+/// {"detect", "evaluate", "solve", "line_search"}, s.
+Json as_json(const StageSeconds& stages);
+
 /// Runs the scene and measures the steps from first to last, counted from 1. Throws Error if one of
 /// them fails.
 StepFigures measure_steps(const Registry& registry, const Json& scene, int first, int last);

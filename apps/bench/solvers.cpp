@@ -1,5 +1,7 @@
 // The linear solvers, each on the system of one and the same Newton iteration.
 
+#include <spdlog/fmt/fmt.h>
+
 #include "apps/bench/bench.h"
 #include "apps/bench/hairball.h"
 #include "apps/bench/timing.h"
@@ -30,7 +32,7 @@ class NewtonSystem {
     const ContactReport report = model_.collision->report();
     return report.strand_contacts + report.collider_contacts;
   }
-  std::vector<Json> measure(const std::string& name, LinearSolver& solver) {
+  BenchRow measure(const std::string& name, LinearSolver& solver) {
     SystemMatrix matrix(model_.groups);
     VertexField gradient(model_.groups), solution(model_.groups);
     solver.bind(model_.groups);
@@ -40,9 +42,13 @@ class NewtonSystem {
     const double prepare = seconds_of([&] { accepted = solver.prepare(matrix); });
     const double solve =
         seconds_of([&] { report = accepted ? solver.solve(gradient, solution) : SolveReport(); });
-    return {name,           contacts(),        prepare,
-            solve,          report.iterations, accepted && report.converged ? "yes" : "no",
-            report.residual};
+    return {.name = "solvers",
+            .parameters = {{"solver", name}},
+            .stages = {{"prepare", prepare}, {"solve", solve}},
+            .iterations = report.iterations,
+            .contacts = contacts(),
+            .figures = {{"converged", accepted && report.converged ? "yes" : "no"},
+                        {"residual", report.residual}}};
   }
 
  private:
@@ -53,25 +59,34 @@ class NewtonSystem {
 
 }  // namespace
 
-std::vector<BenchTable> bench_solvers(const Registry& registry, const BenchOptions& options) {
-  BenchTable table{
-      "Linear solvers on one Newton iteration of the hairball in its first lean, to "
-      "1e-6; s, all threads; factors of strands are computed during evaluation",
-      {"solver", "contacts", "prepare", "solve", "iterations", "converged", "residual"}};
+void bench_solvers(const Registry& registry, const BenchOptions& options, BenchOutput& output) {
+  const int wisps = options.strands_or(2000);
+  output.start_table(
+      fmt::format("Linear solvers on one Newton iteration of the hairball of {} wisps in its first "
+                  "lean, to 1e-6; s, {} threads; factors of strands are computed during evaluation",
+                  wisps, options.threads),
+      {{"solver", "/parameters/solver"},
+       {"contacts", "/contacts"},
+       {"prepare", "/stages/prepare"},
+       {"solve", "/stages/solve"},
+       {"iterations", "/iterations"},
+       {"converged", "/figures/converged"},
+       {"residual", "/figures/residual"}});
   const auto pcg = [](const Json& preconditioner) {
     return Json{{"type", "pcg"}, {"max_iterations", 10000}, {"preconditioner", preconditioner}};
   };
-  Simulation simulation(read_scene(hairball(options.quick() ? 16 : 2000), registry, "."));
-  for (int step = 0; step < (options.quick() ? 1 : 50); ++step) simulation.step();
-  NewtonSystem system(simulation, 1.0 / 30);
-  for (const auto& [name, json] :
-       {std::pair<std::string, Json>{"pcg, strand_cholesky", pcg("strand_cholesky")},
-        {"pcg, jacobi", pcg("jacobi")},
-        {"pcg, none", pcg(nullptr)},
-        {"cholesky", "cholesky"}}) {
-    table.rows.push_back(system.measure(name, *make_chosen<LinearSolver>(registry, json)));
-  }
-  return {table};
+  with_threads(options.threads, [&] {
+    Simulation simulation(read_scene(hairball(wisps), registry, "."));
+    for (int step = 0; step < (options.quick() ? 1 : 50); ++step) simulation.step();
+    NewtonSystem system(simulation, 1.0 / 30);
+    for (const auto& [name, json] :
+         {std::pair<std::string, Json>{"pcg, strand_cholesky", pcg("strand_cholesky")},
+          {"pcg, jacobi", pcg("jacobi")},
+          {"pcg, none", pcg(nullptr)},
+          {"cholesky", "cholesky"}}) {
+      output.add(system.measure(name, *make_chosen<LinearSolver>(registry, json)));
+    }
+  });
 }
 
 }  // namespace ringlet

@@ -7,16 +7,21 @@
 namespace ringlet {
 namespace {
 
-std::string cell(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_null()) return "";
-  if (!value.is_number_float()) return value.dump();
-  const double number = value.get<double>();
+std::string three_digits(double number) {
   const bool plain = number == 0 || (std::abs(number) >= 1e-3 && std::abs(number) < 1e6);
   if (!plain) return fmt::format("{:.2e}", number);
   const int digits =
       number == 0 ? 0 : 2 - static_cast<int>(std::floor(std::log10(std::abs(number))));
   return fmt::format("{:.{}f}", number, std::max(0, digits));
+}
+
+std::string cell(const Column& column, const Json& row) {
+  const Json::json_pointer pointer(column.pointer);
+  if (!row.contains(pointer)) return "";
+  const Json& value = row[pointer];
+  if (value.is_string()) return value.get<std::string>();
+  const bool is_real = value.is_number() && (value.is_number_float() || column.unit != 1);
+  return is_real ? three_digits(value.get<double>() / column.unit) : value.dump();
 }
 
 std::string line(const std::vector<std::string>& cells) {
@@ -25,25 +30,16 @@ std::string line(const std::vector<std::string>& cells) {
 
 }  // namespace
 
-std::string as_markdown(const BenchTable& table) {
-  std::string text = table.title + "\n\n" + line(table.columns);
-  text += line(std::vector<std::string>(table.columns.size(), "---"));
-  for (const std::vector<Json>& row : table.rows) {
-    std::vector<std::string> cells;
-    for (const Json& value : row) cells.push_back(cell(value));
-    text += line(cells);
-  }
-  return text;
+std::string table_head(const std::string& title, const std::vector<Column>& columns) {
+  std::vector<std::string> headings;
+  for (const Column& column : columns) headings.push_back(column.heading);
+  return title + "\n\n" + line(headings) + line(std::vector<std::string>(columns.size(), "---"));
 }
 
-Json as_json(const BenchTable& table) {
-  Json rows = Json::array();
-  for (const std::vector<Json>& row : table.rows) {
-    Json object = Json::object();
-    for (std::size_t i = 0; i < row.size(); ++i) object[table.columns[i]] = row[i];
-    rows.push_back(std::move(object));
-  }
-  return {{"title", table.title}, {"rows", rows}};
+std::string table_row(const std::vector<Column>& columns, const Json& row) {
+  std::vector<std::string> cells;
+  for (const Column& column : columns) cells.push_back(cell(column, row));
+  return line(cells);
 }
 
 }  // namespace ringlet

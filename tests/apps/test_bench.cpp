@@ -1,15 +1,38 @@
-#include "apps/bench/table.h"
-#include "apps/bench/timing.h"
+#include <set>
+
+#include "apps/bench/output.h"
+#include "apps/bench/peak_memory.h"
 #include "tests/apps/program.h"
 #include "tests/catch.h"
 
 using namespace ringlet;
 
-TEST_CASE("tables show three digits and keep all of them in JSON") {
-  const BenchTable table{"Speeds", {"what", "number"}, {{"a", 12345.6}, {"b", 0.012345}, {"c", 7}}};
-  CHECK(as_markdown(table) ==
-        "Speeds\n\n| what | number |\n| --- | --- |\n| a | 12346 |\n| b | 0.0123 |\n| c | 7 |\n");
-  CHECK(as_json(table)["rows"][1] == Json{{"what", "b"}, {"number", 0.012345}});
+TEST_CASE("a row is printed with three digits at once and kept with all of them") {
+  std::string text;
+  BenchOutput output([&text](const std::string& more) { text += more; });
+  output.start_table(
+      "Speeds",
+      {{"what", "/parameters/what"}, {"ms", "/seconds", 1e-3}, {"contacts", "/contacts"}});
+  output.add({.name = "speed", .parameters = {{"what", "a"}}, .time = Timing{12.3456, 0.5}});
+  CHECK(text == "\nSpeeds\n\n| what | ms | contacts |\n| --- | --- | --- |\n| a | 12346 |  |\n");
+  output.add(
+      {.name = "speed", .parameters = {{"what", 7}}, .time = Timing{1.2345e-5, 0}, .contacts = 3});
+  CHECK_THAT(text, Catch::EndsWith("| 7 | 0.0123 | 3.00 |\n"));
+  CHECK(output.rows()[0] == Json{{"name", "speed"},
+                                 {"parameters", {{"what", "a"}}},
+                                 {"seconds", 12.3456},
+                                 {"spread", 0.5}});
+}
+
+TEST_CASE("the peak of the memory is that of the function alone") {
+  constexpr std::int64_t much = 64 << 20, little = 16 << 20;
+  const auto use = [](std::int64_t bytes) {
+    return peak_memory_during([&] { std::vector<char>(bytes, 1).shrink_to_fit(); });
+  };
+  const auto before = use(little), peak = use(much), after = use(little);
+  if (!before || !peak || !after) return;
+  CHECK(*peak > *before + much / 2);
+  CHECK(*after < *peak - much / 2);
 }
 
 TEST_CASE("a measurement warms up, repeats and takes the median") {
@@ -30,11 +53,33 @@ TEST_CASE("every benchmark runs") {
   CHECK_THAT(result.output, Catch::Contains("| twist | gauss_newton |"));
   const Json figures = Json::parse(read_text(place.folder() / "figures.json"));
   CHECK(figures["threads"] >= 1);
-  for (const Json& table : figures["tables"]) {
-    INFO(table["title"]);
-    REQUIRE_FALSE(table["rows"].empty());
+  std::set<std::string> names;
+  for (const Json& row : figures["rows"]) {
+    INFO(row);
+    names.insert(row["name"]);
+    CHECK(row["parameters"].is_object());
+    if (row.contains("seconds")) CHECK(row["seconds"] > 0);
   }
+  CHECK(names ==
+        std::set<std::string>{"filters/element", "filters/newton", "step", "strand", "solvers"});
+}
+
+TEST_CASE("a benchmark refuses what it does not know") {
+  const Workplace place;
   const ProgramResult unknown = place.run({"bench", "filers"});
   CHECK(unknown.exit_code == 2);
   CHECK_THAT(unknown.errors, Catch::Contains("did you mean 'filters'"));
+  const ProgramResult unheeded = place.run({"bench", "strand", "--strands", "3", "--quick"});
+  CHECK(unheeded.exit_code == 2);
+  CHECK_THAT(unheeded.errors, Catch::Contains("'strand' has no option --strands"));
+}
+
+TEST_CASE("the largest hairball and the threads can be chosen") {
+  const Workplace place;
+  const ProgramResult result = place.run(
+      {"bench", "step", "--quick", "--strands", "9", "--threads", "1", "--json", "figures.json"});
+  CHECK(result.exit_code == 0);
+  const Json rows = Json::parse(read_text(place.folder() / "figures.json"))["rows"];
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[1]["parameters"] == Json{{"wisps", 9}, {"contacts", "on"}, {"threads", 1}});
 }
