@@ -68,7 +68,18 @@ std::vector<int> ColliderContacts::find_near(int collider, const EdgeChunk& chun
   return vertices;
 }
 
+// A distance to a collider changes by no more than the vertex moves in the collider's frame.
+bool ColliderContacts::are_valid(std::span<const Eigen::Vector3d> positions,
+                                 const Movement& movement) const {
+  for (std::size_t c = 0; c < colliders_.size(); ++c) {
+    const Eigen::Isometry3d motion = placements_[c] * detected_[c].inverse();
+    if (!movement.is_within(margin_, positions, motion)) return false;
+  }
+  return true;
+}
+
 void ColliderContacts::detect(std::span<const Eigen::Vector3d> positions) {
+  detected_ = placements_;
   vertices_.clear();
   batches_.clear();
   std::vector<std::vector<int>> near(chunks_->size());

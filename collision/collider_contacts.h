@@ -6,6 +6,7 @@
 
 #include "collision/contact.h"
 #include "collision/edge_chunks.h"
+#include "collision/movement.h"
 #include "core/collider.h"
 #include "core/collision_stage.h"
 
@@ -25,6 +26,9 @@ class ColliderContacts {
 
   /// Collects the free vertices nearer to a collider than thickness and margin.
   void detect(std::span<const Eigen::Vector3d> positions);
+  /// Whether no vertex but the candidates can be nearer to a collider than the thickness.
+  /// movement: since the last detect().
+  bool are_valid(std::span<const Eigen::Vector3d> positions, const Movement& movement) const;
   int candidate_count() const { return static_cast<int>(vertices_.size()); }
   /// Contacts of all candidates.
   void evaluate(const VertexField& x, std::span<Contact> contacts) const;
@@ -47,6 +51,7 @@ class ColliderContacts {
   const Motions* motions_ = nullptr;
   std::vector<bool> is_free_;
   std::vector<Eigen::Isometry3d> placements_;  // of each collider's frame
+  std::vector<Eigen::Isometry3d> detected_;    // the placements at the last detect()
   std::vector<int> vertices_;
   std::vector<Batch> batches_;
 };

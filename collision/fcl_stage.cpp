@@ -51,7 +51,11 @@ Schema<FclStageParameters> FclStageParameters::schema() {
            "candidates are collected this much further than the thickness, so that they last while "
            "strands move; half the thickness if absent")
       .key("detector", &P::detector, "", any_number(), "finds the edges that are near each other")
-      .key("detect", &P::detect, "", any_number(), "when candidates are collected anew")
+      .key(
+          "detect", &P::detect, "", any_number(),
+          "when candidates are collected anew: at every Newton iteration; once a step, which "
+          "misses "
+          "contacts; or when something has moved by so much of the margin that one could be missed")
       .key("colliders", &P::colliders, "", any_number(), "rigid bodies that strands may touch")
       .check([](P& p, const std::string&, ParseContext&) {
         p.arc_distance = p.arc_distance.value_or(2 * p.thickness);
@@ -95,13 +99,27 @@ void FclStage::set_free(const VertexScalars& free) {
 
 void FclStage::begin_step(const VertexField&, double time_end, double) {
   collider_contacts_.move_to(time_end);
-  candidates_are_old_ = true;
+  is_new_step_ = true;
 }
 
 void FclStage::detect(const VertexField& x) {
-  if (parameters_.detect == DetectWhen::step && !candidates_are_old_) return;
-  candidates_are_old_ = false;
+  if (parameters_.detect == DetectWhen::step && !is_new_step_) return;
+  is_new_step_ = false;
   parallel_for_each(static_cast<int>(positions_.size()), [&](int v) { positions_[v] = x.get(v); });
+  if (parameters_.detect == DetectWhen::margin && are_candidates_valid()) return;
+  collect_candidates();
+}
+
+// Two edges come nearer to each other by no more than twice what a vertex moves.
+bool FclStage::are_candidates_valid() const {
+  return movement_.has_started() &&
+         movement_.is_within(*parameters_.margin / 2, positions_,
+                             movement_.rigid_part(positions_)) &&
+         collider_contacts_.are_valid(positions_, movement_);
+}
+
+void FclStage::collect_candidates() {
+  if (parameters_.detect == DetectWhen::margin) movement_.start_from(positions_);
   if (detector_) {
     detector_->find(positions_, parameters_.thickness + *parameters_.margin, pairs_);
     std::erase_if(pairs_, [&](const EdgePair& pair) { return !rule_->allows(pair); });

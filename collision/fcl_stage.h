@@ -6,6 +6,7 @@
 
 #include "collision/collider_contacts.h"
 #include "collision/contact_rule.h"
+#include "collision/movement.h"
 #include "collision/rest_pairs.h"
 #include "core/collision_stage.h"
 #include "core/registry.h"
@@ -13,12 +14,14 @@
 namespace ringlet {
 
 /// When candidate pairs are collected anew.
-enum class DetectWhen { iteration, step };
+enum class DetectWhen { iteration, step, margin };
 
 template <>
 struct EnumNames<DetectWhen> {
   static constexpr std::pair<DetectWhen, const char*> names[] = {
-      {DetectWhen::iteration, "iteration"}, {DetectWhen::step, "step"}};
+      {DetectWhen::iteration, "iteration"},
+      {DetectWhen::step, "step"},
+      {DetectWhen::margin, "margin"}};
 };
 
 struct FclStageParameters {
@@ -31,7 +34,7 @@ struct FclStageParameters {
   std::optional<double> collider_stiffness;
   std::optional<double> margin;
   Choice<ContactDetector> detector = "fcl";
-  DetectWhen detect = DetectWhen::iteration;
+  DetectWhen detect = DetectWhen::margin;
   std::vector<Choice<Collider>> colliders;
 
   static Schema<FclStageParameters> schema();
@@ -52,6 +55,8 @@ class FclStage final : public CollisionStage {
   ContactReport report() const override { return report_; }
 
  private:
+  bool are_candidates_valid() const;
+  void collect_candidates();
   void evaluate(const VertexField& x);
 
   FclStageParameters parameters_;
@@ -60,7 +65,8 @@ class FclStage final : public CollisionStage {
   std::vector<EdgeChunk> chunks_;
   std::optional<ContactRule> rule_;
   std::unique_ptr<ContactDetector> detector_;  // null: strands do not feel each other
-  bool candidates_are_old_ = true;
+  bool is_new_step_ = true;
+  Movement movement_;                       // since candidates were collected
   std::vector<Eigen::Vector3d> positions_;  // of the last detect()
   std::optional<RestPairs> rest_pairs_;     // absent: pairs push at rest too
   std::vector<EdgePair> pairs_;             // candidates

@@ -280,6 +280,43 @@ TEST_CASE("candidates are kept for a step if detection is once a step") {
   }
 }
 
+TEST_CASE("candidates kept for as long as their margin allows miss no contact") {
+  const bool strands_touch = GENERATE(true, false);
+  const std::string against = strands_touch ? R"("colliders": [])" : R"("strand_contacts": false,
+      "colliders": [{"type": "sphere", "radius": 0.01, "motion": "nod"}])";
+  std::mt19937 random(43);
+  const Strands strands = random_bundle(random, 60);
+  const auto scenery = [&](const std::string& detect) {
+    auto made =
+        std::make_unique<Scenery>(strands, R"({"type": "fcl", "thickness": 2e-3, "detect": ")" +
+                                               detect + "\", " + against + "}");
+    add_nod(made->motions);
+    made->start();
+    return made;
+  };
+  const auto always = scenery("iteration"), seldom = scenery("margin");
+  Points drift(strands.count());
+  for (auto& d : drift) d = random_point(random, 2e-4);
+  double energy = 0;
+  for (int step = 1; step <= 30; ++step) {
+    // All turn with the collider; besides, each strand drifts and each vertex trembles.
+    const Eigen::Isometry3d nod = Nod().at(0.05 * step) * Nod().at(0.05 * (step - 1)).inverse();
+    for (int v = 0; v < strands.vertex_count(); ++v) {
+      const Eigen::Vector3d p =
+          nod * always->x.get(v) + drift[strands.strand_of(v)] + random_point(random, 1e-4);
+      always->x.set(v, p);
+      seldom->x.set(v, p);
+    }
+    for (Scenery* s : {always.get(), seldom.get()}) {
+      s->stage->begin_step(s->x, 0.05 * step, 0.05);
+      s->stage->detect(s->x);
+    }
+    energy = always->stage->add(always->x, nullptr, nullptr);
+    CHECK(seldom->stage->add(seldom->x, nullptr, nullptr) == energy);
+  }
+  CHECK(energy > 0);
+}
+
 TEST_CASE("one thread and two find the same contacts, to the last bit") {
   const auto run = [](int threads) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);

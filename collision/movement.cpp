@@ -1,0 +1,48 @@
+#include "collision/movement.h"
+
+#include <algorithm>
+
+#include "core/parallel.h"
+
+namespace ringlet {
+namespace {
+
+/// A rigid motion is sought from about so many of the points.
+constexpr std::size_t sample_size = 500;
+/// Points that one thread looks at in one go.
+constexpr std::size_t part_size = 2048;
+
+}  // namespace
+
+void Movement::start_from(std::span<const Eigen::Vector3d> positions) {
+  start_.assign(positions.begin(), positions.end());
+}
+
+Eigen::Isometry3d Movement::rigid_part(std::span<const Eigen::Vector3d> positions) const {
+  const std::size_t stride = std::max<std::size_t>(1, positions.size() / sample_size);
+  const auto count = static_cast<Eigen::Index>((positions.size() + stride - 1) / stride);
+  Eigen::Matrix3Xd from(3, count), to(3, count);
+  for (Eigen::Index n = 0; n < count; ++n) {
+    from.col(n) = start_[n * stride];
+    to.col(n) = positions[n * stride];
+  }
+  return Eigen::Isometry3d(Eigen::umeyama(from, to, false));
+}
+
+bool Movement::is_within(double distance, std::span<const Eigen::Vector3d> positions,
+                         const Eigen::Isometry3d& motion) const {
+  const std::size_t parts = (positions.size() + part_size - 1) / part_size;
+  std::vector<char> within(parts);
+  parallel_for_each(static_cast<int>(parts), [&](int part) {
+    const std::size_t begin = part * part_size;
+    const std::size_t end = std::min(begin + part_size, positions.size());
+    bool all = true;
+    for (std::size_t v = begin; v < end; ++v) {
+      all &= (positions[v] - motion * start_[v]).squaredNorm() <= distance * distance;
+    }
+    within[part] = all ? 1 : 0;
+  });
+  return std::find(within.begin(), within.end(), 0) == within.end();
+}
+
+}  // namespace ringlet

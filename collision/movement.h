@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+namespace ringlet {
+
+/// Remembers where some points were and tells how far they have moved since, apart from a rigid
+/// motion of them all: that changes no distance between them.
+class Movement {
+ public:
+  void start_from(std::span<const Eigen::Vector3d> positions);
+  bool has_started() const { return !start_.empty(); }
+
+  /// A rigid motion that brings the points from the start close to these positions.
+  Eigen::Isometry3d rigid_part(std::span<const Eigen::Vector3d> positions) const;
+  /// Whether every point is within a distance, m, of where a rigid motion takes it from the start.
+  bool is_within(double distance, std::span<const Eigen::Vector3d> positions,
+                 const Eigen::Isometry3d& motion) const;
+
+ private:
+  std::vector<Eigen::Vector3d> start_;
+};
+
+}  // namespace ringlet

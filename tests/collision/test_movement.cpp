@@ -1,0 +1,38 @@
+#include "collision/movement.h"
+#include "tests/catch.h"
+#include "tests/collision/random_strands.h"
+
+using namespace ringlet;
+
+TEST_CASE("a rigid motion of all points is no movement, that of a single point is") {
+  std::mt19937 random(41);
+  Points start(5000), moved;
+  for (auto& p : start) p = random_point(random, 1);
+  const Eigen::Isometry3d turn(Eigen::Translation3d(3, -2, 1) *
+                               Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 2, 3).normalized()));
+  for (const auto& p : start) moved.push_back(turn * p);
+
+  Movement movement;
+  CHECK(!movement.has_started());
+  movement.start_from(start);
+  REQUIRE(movement.has_started());
+  CHECK(movement.rigid_part(moved).isApprox(turn, 1e-10));
+  CHECK(movement.is_within(1e-10, moved, turn));
+  CHECK(!movement.is_within(1, moved, Eigen::Isometry3d::Identity()));
+
+  moved[4321] += Eigen::Vector3d(0, 0, 1e-3);
+  CHECK(!movement.is_within(0.9e-3, moved, turn));
+  CHECK(movement.is_within(1.1e-3, moved, turn));
+}
+
+TEST_CASE("the rigid part of a movement of few points, or of none, is a rigid motion") {
+  for (const Points& start :
+       {Points{{1, 2, 3}}, Points{{0, 0, 0}, {1, 0, 0}}, Points{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}}) {
+    Movement movement;
+    movement.start_from(start);
+    const Eigen::Matrix3d turn = movement.rigid_part(start).linear();
+    CHECK((turn * turn.transpose()).isIdentity(1e-12));
+    CHECK(turn.determinant() == Approx(1));
+    CHECK(movement.is_within(1e-12, start, movement.rigid_part(start)));
+  }
+}
