@@ -14,8 +14,9 @@ void CouplingBlocks::clear() {
     group.in_band.clear();
     group.references.clear();
     group.off_band.clear();
+    group.coupled.clear();
   }
-  off_band_count_ = 0;
+  off_band_count_ = coupled_count_ = 0;
 }
 
 void CouplingBlocks::add(const std::array<int, 4>& vertices, const std::array<double, 4>& weights,
@@ -73,8 +74,10 @@ void CouplingBlocks::finish(const VertexScalars& free) {
     }
   }
   parallel_for_each(groups_->count(), [&](int g) { sum_off_band(group_blocks_[g]); });
-  for (const GroupBlocks& group : group_blocks_) {
+  for (GroupBlocks& group : group_blocks_) {
     off_band_count_ += static_cast<int>(group.off_band.size());
+    group.first_coupled = coupled_count_;
+    for (const int vertex : group.coupled) place_[vertex] = coupled_count_++;
   }
 }
 
@@ -93,6 +96,11 @@ void CouplingBlocks::sum_off_band(GroupBlocks& group) const {
       group.off_band.push_back({entry.i, entry.j, values});
     }
     last_key = reference.key;
+  }
+  for (const Block& block : group.off_band) {
+    if (group.coupled.empty() || group.coupled.back() != block.row) {
+      group.coupled.push_back(block.row);
+    }
   }
 }
 
@@ -122,6 +130,19 @@ void CouplingBlocks::add_product(int group, const VertexField& x, VertexField& y
       y.add(blocks[k].row, sum);
       sum.setZero();
     }
+  }
+}
+
+void CouplingBlocks::multiply(int group, std::span<const Vector3<double>> x,
+                              std::span<Vector3<double>> y) const {
+  const GroupBlocks& rows = group_blocks_[group];
+  auto block = rows.off_band.begin();
+  for (std::size_t i = 0; i < rows.coupled.size(); ++i) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (; block != rows.off_band.end() && block->row == rows.coupled[i]; ++block) {
+      sum += block->values * to_eigen(x[place_[block->column]]);
+    }
+    y[i] = from_eigen(sum);
   }
 }
 

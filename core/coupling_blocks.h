@@ -17,7 +17,7 @@ class CouplingBlocks {
  public:
   CouplingBlocks() = default;
   explicit CouplingBlocks(const StrandGroups& groups)
-      : groups_(&groups), group_blocks_(groups.count()) {}
+      : groups_(&groups), group_blocks_(groups.count()), place_(groups.vertex_count()) {}
 
   void clear();
   /// Adds a term over up to four vertices, all different, the first two and the last two of them
@@ -41,8 +41,16 @@ class CouplingBlocks {
   bool touches(int group) const { return !group_blocks_[group].off_band.empty(); }
   /// Adds the blocks that belong there to the bands of a group.
   void add_to_bands(int group, GroupBands bands) const;
-  /// y += B x for the rows of a group, B being all blocks outside the bands.
+  /// y += C x for the rows of a group, C being all blocks outside the bands.
   void add_product(int group, const VertexField& x, VertexField& y) const;
+
+  /// The vertices that have blocks outside the bands, one group after the other.
+  int coupled_count() const { return coupled_count_; }
+  /// Those of a group, in lane order, and the number of the first among all of them.
+  std::span<const int> coupled(int group) const { return group_blocks_[group].coupled; }
+  int first_coupled(int group) const { return group_blocks_[group].first_coupled; }
+  /// y = C x for the coupled vertices of a group; x has an entry a coupled vertex of all groups.
+  void multiply(int group, std::span<const Vector3<double>> x, std::span<Vector3<double>> y) const;
 
   /// Visits the blocks outside the bands, rows in lane order: visit(row_vertex, column_vertex,
   /// block).
@@ -76,6 +84,8 @@ class CouplingBlocks {
     std::vector<int> in_band;           ///< indices of entries
     std::vector<Reference> references;  ///< to entries with a row in this group outside the bands
     std::vector<Block> off_band;        ///< summed, sorted by row and column in lane order
+    std::vector<int> coupled;           ///< the rows of these blocks
+    int first_coupled = 0;
   };
   bool on_one_strand(int i, int j) const;
   bool fit_into_band(int i, int j) const;
@@ -85,7 +95,8 @@ class CouplingBlocks {
   const StrandGroups* groups_ = nullptr;
   std::vector<Entry> entries_;
   std::vector<GroupBlocks> group_blocks_;
-  int off_band_count_ = 0;
+  std::vector<int> place_;  ///< among the coupled vertices, of each of these
+  int off_band_count_ = 0, coupled_count_ = 0;
 };
 
 }  // namespace ringlet

@@ -143,7 +143,7 @@ IncrementalPotential::Assembled IncrementalPotential::assemble(
     contacts = model_.collision->add(x, &gradient, &matrix.couplings);
     matrix.couplings.finish(model_.free);
   }
-  const bool keep_all = solver.keeps_bands();
+  const bool keep_all = solver.band_factor() == nullptr;
   if (keep_all || matrix.couples_strands()) matrix.keep_bands();
   std::vector<double> terms(model_.groups.count() * term_count());
   std::vector<double> squared_gradients(model_.groups.count());

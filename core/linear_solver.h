@@ -20,6 +20,15 @@ struct GroupSystem {
   bool coupled;  ///< whether blocks outside the bands touch these strands
 };
 
+/// A factor of the strands' bands B: of A without what couples strands.
+class BandFactor {
+ public:
+  virtual ~BandFactor() = default;
+  /// x = B^-1 x for the rows of one coupled group. Where x is zero before row `first` of the group,
+  /// it may be left undefined there. Thread-safe for different x.
+  virtual void solve_group(int group, int first, std::span<Vector3<Pack>> x) const = 0;
+};
+
 /// Solves A x = b for the symmetric matrix of a Newton step. A solver can be the preconditioner of
 /// another one. Usage a Newton iteration: prepare_group() for every group, prepare(), solve()...
 class LinearSolver {
@@ -28,17 +37,15 @@ class LinearSolver {
 
   /// Allocates what matrices of these groups need. Called once.
   virtual void bind(const StrandGroups& groups) = 0;
-  /// Whether the solver reads the bands of the matrix after prepare_group(). If not, it may
-  /// overwrite there what it is given, and has to keep what it needs: the bands of a group that is
-  /// not coupled are gone afterwards, those of the others stay as it leaves them. Its apply() is
-  /// then the exact inverse of A without its couplings.
-  virtual bool keeps_bands() const { return true; }
+  /// Not null: the solver turns the bands of each group into this factor in prepare_group(), in
+  /// their place, and solves there with them. Nobody reads the bands afterwards: those of a group
+  /// that is not coupled are gone, those of the others stay as the solver leaves them.
+  virtual const BandFactor* band_factor() const { return nullptr; }
   /// Called as soon as the system of a group is complete, while it is warm in cache; from several
-  /// threads at once, for different groups. A band solver factors here. Where the group is not
-  /// coupled it may also write its part of the solution to x, and return true.
-  virtual bool prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) {
+  /// threads at once, for different groups. A solver with a band factor makes it here, and writes
+  /// x = B^-1 b.
+  virtual void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) {
     (void)system, (void)x;
-    return false;
   }
   /// Called when all groups are complete. Returns false if the matrix cannot be used (a pivot that
   /// is not positive); solve() must not be called then.
@@ -46,9 +53,9 @@ class LinearSolver {
   /// x = A^-1 b, where x holds what prepare_group() wrote for the same b. The matrix given to
   /// prepare() is still alive and, but for what prepare_group() overwrote, unchanged.
   virtual SolveReport solve(const VertexField& b, VertexField& x) = 0;
-  /// z = P^-1 r, P symmetric positive definite and close to A: what a preconditioner does. Unlike
-  /// solve(), it neither iterates nor reports where a fixed approximation is at hand. Groups of
-  /// which prepare_group() has written the solution are left alone.
+  /// z = P^-1 r, P symmetric positive definite and close to A: what a preconditioner without a band
+  /// factor does. Unlike solve(), it neither iterates nor reports where a fixed approximation is at
+  /// hand.
   virtual void apply(const VertexField& r, VertexField& z) { solve(r, z); }
 };
 

@@ -101,15 +101,13 @@ constexpr int prefetch_rows = 4;
   return !any(bad);
 }
 
-[[gnu::flatten]] void solve_bands(GroupBands factor, std::span<const Vector3<Pack>> b,
-                                  std::span<Vector3<Pack>> x) {
+[[gnu::flatten]] void solve_bands(GroupBands factor, std::span<Vector3<Pack>> x, int first) {
   const int rows = factor.rows();
-  for (int i = 0; i < rows; ++i) {
+  for (int i = first; i < rows; ++i) {
     if (i + prefetch_rows < rows) prefetch(&factor.block(i + prefetch_rows, 0));
-    x[i] = b[i];
     with_left_blocks(i, [&](auto left) { solve_row<left>(&factor.block(i, 0), &x[i]); });
   }
-  for (int i = rows; i-- > 0;) {
+  for (int i = rows; i-- > first;) {
     with_left_blocks(i, [&](auto left) { solve_transposed_row<left>(&factor.block(i, 0), &x[i]); });
   }
 }

@@ -18,7 +18,7 @@ namespace ringlet {
 /// finite.
 bool factor_bands(GroupBands bands);
 
-/// x = (L L^T)^-1 b. b and x may be the same.
-void solve_bands(GroupBands factor, std::span<const Vector3<Pack>> b, std::span<Vector3<Pack>> x);
+/// x = (L L^T)^-1 x. Where x is zero before row `first`, it is left undefined there.
+void solve_bands(GroupBands factor, std::span<Vector3<Pack>> x, int first = 0);
 
 }  // namespace ringlet

@@ -44,14 +44,13 @@ class Jacobi final : public LinearSolver {
     positive_.assign(groups.count(), false);
   }
 
-  bool prepare_group(const GroupSystem& system, std::span<Vector3<Pack>>) override {
+  void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>>) override {
     Mask bad(false);
     InverseTriangle* inverse = &inverse_[(*groups_)[system.group].first_row];
     for (int i = 0; i < system.bands.rows(); ++i) {
       inverse[i] = inverse_cholesky(lower_triangle(system.bands.block(i, 0)), bad);
     }
     positive_[system.group] = !any(bad);
-    return false;
   }
 
   bool prepare(const SystemMatrix& a) override {

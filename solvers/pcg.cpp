@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "core/linear_solver.h"
 #include "core/registry.h"
-#include "solvers/group_sum.h"
+#include "solvers/coupled_gradients.h"
 
 namespace ringlet {
 namespace {
@@ -36,21 +37,20 @@ class Pcg final : public LinearSolver {
   }
 
   void bind(const StrandGroups& groups) override {
+    if (preconditioner_) preconditioner_->bind(groups);
+    coupled_.bind(groups);
+    if (band_factor() != nullptr) return;
     sum_ = GroupSum(groups);
-    solved_.assign(groups.count(), false);
     residual_ = direction_ = product_ = VertexField(groups);
-    if (preconditioner_) {
-      preconditioned_ = VertexField(groups);
-      preconditioner_->bind(groups);
-    }
-    if (!keeps_bands()) band_product_ = VertexField(groups);
+    if (preconditioner_) preconditioned_ = VertexField(groups);
   }
 
-  bool keeps_bands() const override { return !preconditioner_ || preconditioner_->keeps_bands(); }
+  const BandFactor* band_factor() const override {
+    return preconditioner_ ? preconditioner_->band_factor() : nullptr;
+  }
 
-  bool prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) override {
-    solved_[system.group] = preconditioner_ && preconditioner_->prepare_group(system, x);
-    return solved_[system.group];
+  void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) override {
+    if (preconditioner_) preconditioner_->prepare_group(system, x);
   }
 
   bool prepare(const SystemMatrix& a) override {
@@ -61,6 +61,10 @@ class Pcg final : public LinearSolver {
   /// Where the matrix or the preconditioner turns out not to be positive definite, the last iterate
   /// is returned as not converged.
   SolveReport solve(const VertexField& b, VertexField& x) override {
+    if (const BandFactor* factor = band_factor()) {
+      return coupled_.solve(*factor, matrix_->couplings, b, x,
+                            {parameters_.tolerance, parameters_.max_iterations});
+    }
     begin(b, x);
     precondition();
     const double start = dot_residual();
@@ -87,23 +91,14 @@ class Pcg final : public LinearSolver {
   }
 
  private:
-  template <class Body>
-  void for_unsolved(const Body& body) {
-    parallel_for_each(static_cast<int>(solved_.size()), [&](int g) {
-      if (!solved_[g]) body(g);
-    });
-  }
-
-  /// x = 0 and r = b where the solution is not known yet; elsewhere nothing remains to be done, and
-  /// no coupling leads there.
+  /// x = 0, p = 0 and r = b.
   void begin(const VertexField& b, VertexField& x) {
-    parallel_for_each(static_cast<int>(solved_.size()), [&](int g) {
+    for_groups([&](int g) {
       const auto r = residual_.group(g), p = direction_.group(g), solution = x.group(g);
       const auto right = b.group(g);
       for (std::size_t i = 0; i < r.size(); ++i) {
-        p[i] = {0, 0, 0};
-        r[i] = solved_[g] ? p[i] : right[i];
-        if (!solved_[g]) solution[i] = p[i];
+        solution[i] = p[i] = {0, 0, 0};
+        r[i] = right[i];
       }
     });
   }
@@ -116,46 +111,26 @@ class Pcg final : public LinearSolver {
     return preconditioner_ ? preconditioned_ : residual_;
   }
   /// r^T z.
-  double dot_residual() {
-    return sum_([&](int g) {
-      return solved_[g] ? 0.0 : dot(residual_.group(g), preconditioned().group(g));
-    });
-  }
+  double dot_residual() { return sum_.dot(residual_, preconditioned()); }
 
-  /// p = z + beta p; where P is A without its couplings, P p comes from the same recurrence, since
-  /// P z = r.
+  /// p = z + beta p.
   void turn_direction(double beta) {
-    for_unsolved([&](int g) {
+    for_groups([&](int g) {
       const auto p = direction_.group(g);
       const auto z = preconditioned().group(g);
       for (std::size_t i = 0; i < p.size(); ++i) p[i] = z[i] + Pack(beta) * p[i];
-      if (keeps_bands()) return;
-      const auto u = band_product_.group(g);
-      const auto r = residual_.group(g);
-      for (std::size_t i = 0; i < p.size(); ++i) {
-        u[i] = beta == 0 ? r[i] : r[i] + Pack(beta) * u[i];
-      }
     });
   }
 
   /// q = A p; returns p^T q.
   double multiply_direction() {
-    return sum_([&](int g) {
-      if (solved_[g]) return 0.0;
-      if (keeps_bands()) {
-        multiply_group(*matrix_, g, direction_, product_);
-      } else {
-        const auto u = band_product_.group(g);
-        std::copy(u.begin(), u.end(), product_.group(g).begin());
-        matrix_->couplings.add_product(g, direction_, product_);
-      }
-      return dot(direction_.group(g), product_.group(g));
-    });
+    multiply(*matrix_, direction_, product_);
+    return sum_.dot(direction_, product_);
   }
 
   /// x += alpha p, r -= alpha q.
   void go(double alpha, VertexField& x) {
-    for_unsolved([&](int g) {
+    for_groups([&](int g) {
       const auto solution = x.group(g), r = residual_.group(g), p = direction_.group(g),
                  q = product_.group(g);
       for (std::size_t i = 0; i < r.size(); ++i) {
@@ -165,18 +140,17 @@ class Pcg final : public LinearSolver {
     });
   }
 
-  static double dot(std::span<const Vector3<Pack>> a, std::span<const Vector3<Pack>> b) {
-    Pack sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += ringlet::dot(a[i], b[i]);
-    return sum_lanes(sum);
+  template <class Body>
+  void for_groups(const Body& body) {
+    parallel_for_each(residual_.groups().count(), body);
   }
 
   PcgParameters parameters_;
   std::unique_ptr<LinearSolver> preconditioner_;
   const SystemMatrix* matrix_ = nullptr;
   GroupSum sum_;
-  std::vector<char> solved_;  // groups of which the preconditioner has solved the system itself
-  VertexField residual_, preconditioned_, direction_, product_, band_product_;
+  VertexField residual_, preconditioned_, direction_, product_;
+  CoupledGradients coupled_;  // where the preconditioner is a factor of the bands
 };
 
 }  // namespace

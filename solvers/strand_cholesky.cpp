@@ -17,7 +17,7 @@ struct StrandCholeskyParameters {
   static Schema<StrandCholeskyParameters> schema() { return {}; }
 };
 
-class StrandCholesky final : public LinearSolver {
+class StrandCholesky final : public LinearSolver, private BandFactor {
  public:
   void bind(const StrandGroups& groups) override {
     groups_ = &groups;
@@ -25,15 +25,15 @@ class StrandCholesky final : public LinearSolver {
     positive_.assign(groups.count(), false);
   }
 
-  bool keeps_bands() const override { return false; }
+  const BandFactor* band_factor() const override { return this; }
 
-  bool prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) override {
+  void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) override {
     const int g = system.group;
     positive_[g] = factor_bands(system.bands);
     factors_[g] = system.coupled ? system.bands : GroupBands();
-    if (system.coupled || !positive_[g]) return false;
-    solve_bands(system.bands, system.b, x);
-    return true;
+    if (!positive_[g]) return;
+    std::copy(system.b.begin(), system.b.end(), x.begin());
+    solve_bands(system.bands, x);
   }
 
   bool prepare(const SystemMatrix& a) override {
@@ -41,19 +41,16 @@ class StrandCholesky final : public LinearSolver {
     return std::find(positive_.begin(), positive_.end(), false) == positive_.end();
   }
 
-  void apply(const VertexField& r, VertexField& z) override {
-    parallel_for_each(groups_->count(), [&](int g) {
-      if (!factors_[g].empty()) solve_bands(factors_[g], r.group(g), z.group(g));
-    });
-  }
-
   SolveReport solve(const VertexField& b, VertexField& x) override {
-    apply(b, x);
     if (!matrix_->couples_strands()) return {};
     return {.converged = false, .residual = relative_residual(b, x)};
   }
 
  private:
+  void solve_group(int group, int first, std::span<Vector3<Pack>> x) const override {
+    solve_bands(factors_[group], x, first);
+  }
+
   /// ||b - A x|| / ||b||: what is left are the couplings.
   double relative_residual(const VertexField& b, const VertexField& x) const {
     VertexField product(*groups_);

@@ -1,0 +1,164 @@
+#include "solvers/coupled_gradients.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ringlet {
+
+void CoupledGradients::bind(const StrandGroups& groups) {
+  groups_ = &groups;
+  sum_ = GroupSum(groups);
+}
+
+/// body(group, number of its first coupled vertex, count of them), groups in parallel.
+template <class Body>
+void CoupledGradients::for_coupled(const Body& body) const {
+  parallel_for_each(groups_->count(), [&](int g) {
+    const int count = static_cast<int>(couplings_->coupled(g).size());
+    if (count > 0) body(g, couplings_->first_coupled(g), count);
+  });
+}
+
+template <class Body>
+double CoupledGradients::sum_coupled(const Body& body) {
+  return sum_([&](int g) {
+    const int count = static_cast<int>(couplings_->coupled(g).size());
+    return count > 0 ? body(g, couplings_->first_coupled(g), count) : 0.0;
+  });
+}
+
+SolveReport CoupledGradients::solve(const BandFactor& factor, const CouplingBlocks& couplings,
+                                    const VertexField& b, VertexField& x, const Stop& stop) {
+  factor_ = &factor;
+  couplings_ = &couplings;
+  const double start = squared_norm(b, x);
+  SolveReport report{.converged = start == 0};
+  if (!(start > 0) || !std::isfinite(start)) return report;
+
+  begin(x);
+  double squared_norm = precondition(), last_squared_norm = squared_norm;
+  while (std::isfinite(squared_norm) && squared_norm >= 0) {
+    report.residual = std::sqrt(squared_norm / start);
+    report.converged = report.residual <= stop.tolerance;
+    if (report.converged || report.iterations == stop.max_iterations) break;
+    turn_direction(report.iterations == 0 ? 0 : squared_norm / last_squared_norm);
+    const double alpha = squared_norm / multiply_direction();
+    if (!(alpha > 0) || !std::isfinite(alpha)) break;
+    ++report.iterations;
+    go(alpha);
+    last_squared_norm = squared_norm;
+    squared_norm = precondition();
+  }
+  if (report.iterations > 0) finish(x);
+  return report;
+}
+
+/// b^T B^-1 b of the coupled groups.
+double CoupledGradients::squared_norm(const VertexField& b, const VertexField& x) {
+  return sum_coupled([&](int g, int, int) {
+    const auto b_rows = b.group(g), x_rows = x.group(g);
+    Pack sum = 0;
+    for (std::size_t i = 0; i < b_rows.size(); ++i) sum += dot(b_rows[i], x_rows[i]);
+    return sum_lanes(sum);
+  });
+}
+
+/// r = -C x.
+void CoupledGradients::begin(const VertexField& x) {
+  const int count = couplings_->coupled_count();
+  for (Vectors* vectors : {&residual_, &preconditioned_, &direction_, &band_product_,
+                           &coupling_product_, &right_side_}) {
+    vectors->assign(count, {0, 0, 0});
+  }
+  for_coupled([&](int g, int first, int n) {
+    const auto vertices = couplings_->coupled(g);
+    for (int i = 0; i < n; ++i) direction_[first + i] = from_eigen(x.get(vertices[i]));
+  });
+  for_coupled([&](int g, int first, int n) {
+    couplings_->multiply(g, direction_, std::span(residual_).subspan(first, n));
+    for (int i = first; i < first + n; ++i) residual_[i] = -residual_[i];
+  });
+}
+
+/// z = B^-1 r; returns r^T z.
+double CoupledGradients::precondition() {
+  return sum_coupled([&](int g, int first, int n) {
+    const std::span<Vector3<Pack>> rows = rows_with(residual_, g);
+    factor_->solve_group(g, first_coupled_row(g), rows);
+    double product = 0;
+    const auto vertices = couplings_->coupled(g);
+    for (int i = 0; i < n; ++i) {
+      const auto [row, lane] = groups_->slot(vertices[i]);
+      const Vector3<Pack>& z = rows[row - (*groups_)[g].first_row];
+      preconditioned_[first + i] = {z.x[lane], z.y[lane], z.z[lane]};
+      product += dot(residual_[first + i], preconditioned_[first + i]);
+    }
+    return product;
+  });
+}
+
+/// p = z + beta p, and so B p = r + beta B p.
+void CoupledGradients::turn_direction(double beta) {
+  for_coupled([&](int, int first, int n) {
+    for (int i = first; i < first + n; ++i) {
+      direction_[i] = preconditioned_[i] + beta * direction_[i];
+      band_product_[i] = residual_[i] + beta * band_product_[i];
+    }
+  });
+}
+
+/// Returns p^T A p.
+double CoupledGradients::multiply_direction() {
+  return sum_coupled([&](int g, int first, int n) {
+    couplings_->multiply(g, direction_, std::span(coupling_product_).subspan(first, n));
+    double product = 0;
+    for (int i = first; i < first + n; ++i) {
+      product += dot(direction_[i], band_product_[i] + coupling_product_[i]);
+    }
+    return product;
+  });
+}
+
+/// r -= alpha A p, and the iterate moves by alpha p.
+void CoupledGradients::go(double alpha) {
+  for_coupled([&](int, int first, int n) {
+    for (int i = first; i < first + n; ++i) {
+      residual_[i] -= alpha * (band_product_[i] + coupling_product_[i]);
+      right_side_[i] += alpha * band_product_[i];
+    }
+  });
+}
+
+/// x += B^-1 (sum of alpha B p).
+void CoupledGradients::finish(VertexField& x) {
+  for_coupled([&](int g, int, int) {
+    const std::span<Vector3<Pack>> rows = rows_with(right_side_, g);
+    factor_->solve_group(g, 0, rows);
+    const auto x_rows = x.group(g);
+    for (std::size_t i = 0; i < rows.size(); ++i) x_rows[i] += rows[i];
+  });
+}
+
+/// The rows of a group, zero but for what the coupled vertices have; in the calling thread alone,
+/// until the next call.
+std::span<Vector3<Pack>> CoupledGradients::rows_with(const Vectors& values, int group) {
+  std::vector<Vector3<Pack>>& rows = temporary_.local();
+  const StrandGroup& strands = (*groups_)[group];
+  rows.assign(strands.vertices, {0, 0, 0});
+  int place = couplings_->first_coupled(group);
+  for (const int vertex : couplings_->coupled(group)) {
+    const auto [row, lane] = groups_->slot(vertex);
+    Vector3<Pack>& target = rows[row - strands.first_row];
+    const Vector3<double>& value = values[place++];
+    target.x[lane] = value.x;
+    target.y[lane] = value.y;
+    target.z[lane] = value.z;
+  }
+  return rows;
+}
+
+int CoupledGradients::first_coupled_row(int group) const {
+  return groups_->slot(couplings_->coupled(group).front()).row - (*groups_)[group].first_row;
+}
+
+}  // namespace ringlet
