@@ -106,6 +106,12 @@ Simulation::Simulation(const Scene& scene) {
   integrator_->bind(model);
 }
 
+void Simulation::set_state(const State& state) {
+  state_.time = state.time;
+  state_.positions.set_matrix(state.positions.matrix());
+  state_.velocities.set_matrix(state.velocities.matrix());
+}
+
 StepReport Simulation::step() {
   StepReport report = integrator_->step(*model_, state_);
   if (report.failure.empty()) ++steps_done_;

@@ -18,6 +18,8 @@ class Simulation {
   const Model& model() const { return *model_; }
   const State& state() const { return state_; }
   int steps_done() const { return steps_done_; }
+  /// Goes on from a state of another simulation of the same strands.
+  void set_state(const State& state);
   /// One time step: the six stages of the README. If the report names a failure, the state is
   /// unchanged.
   StepReport step();

@@ -9,6 +9,15 @@
 #include "apps/bench/bench.h"
 
 namespace ringlet {
+namespace {
+
+StepReport take_step(Simulation& simulation) {
+  StepReport report = simulation.step();
+  if (!report.failure.empty()) throw Error(report.failure);
+  return report;
+}
+
+}  // namespace
 
 Json hairball(int wisps) {
   Json scene = bundled_scene("hairball_2000");
@@ -42,16 +51,17 @@ Json as_json(const StageSeconds& stages) {
           {"line_search", stages.line_search}};
 }
 
-StepFigures measure_steps(const Registry& registry, const Json& scene, int first, int last) {
+void skip_steps(Simulation& simulation, int count) {
+  for (int step = 0; step < count; ++step) take_step(simulation);
+}
+
+StepFigures measure_steps(Simulation& simulation, int count) {
   using Clock = std::chrono::steady_clock;
-  Simulation simulation(read_scene(scene, registry, "."));
   std::vector<StepReport> reports;
   std::vector<double> seconds;
-  for (int step = 1; step <= last; ++step) {
+  for (int step = 0; step < count; ++step) {
     const Clock::time_point start = Clock::now();
-    StepReport report = simulation.step();
-    if (!report.failure.empty()) throw Error(report.failure);
-    if (step < first) continue;
+    StepReport report = take_step(simulation);
     seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
     reports.push_back(std::move(report));
   }

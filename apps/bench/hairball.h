@@ -16,7 +16,7 @@ Json hairball_without_contacts(int wisps);
 /// Calls the function with that many threads at most.
 void with_threads(int threads, const std::function<void()>& function);
 
-/// Medians over the steps of a simulation.
+/// Medians over steps of a simulation.
 struct StepFigures {
   Timing step;  ///< of a whole step
   StageSeconds stages;
@@ -26,8 +26,9 @@ struct StepFigures {
 /// {"detect", "evaluate", "solve", "line_search"}, s.
 Json as_json(const StageSeconds& stages);
 
-/// Runs the scene and measures the steps from first to last, counted from 1. Throws Error if one of
-/// them fails.
-StepFigures measure_steps(const Registry& registry, const Json& scene, int first, int last);
+/// Takes so many steps. Throws Error if one of them fails.
+void skip_steps(Simulation& simulation, int count);
+/// Measures so many steps. Throws Error if one of them fails.
+StepFigures measure_steps(Simulation& simulation, int count);
 
 }  // namespace ringlet

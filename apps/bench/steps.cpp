@@ -1,7 +1,9 @@
-// How long a time step of the hairball takes, stage by stage.
+// How long a time step of the hairball takes, stage by stage, beside the baseline.
 
+#include <algorithm>
 #include <set>
 
+#include "apps/bench/baseline/baseline.h"
 #include "apps/bench/bench.h"
 #include "apps/bench/hairball.h"
 #include "apps/bench/peak_memory.h"
@@ -19,55 +21,131 @@ std::set<int> sizes(const BenchOptions& options) {
   return wisps;
 }
 
-/// Of steps that lie in the first lean where there are contacts.
-BenchRow measure_row(const Registry& registry, const BenchOptions& options, int wisps,
-                     bool contacts, int threads) {
-  const Json scene = contacts ? hairball(wisps) : hairball_without_contacts(wisps);
-  const auto [first, last] = options.quick() ? std::pair(1, 1)
-                             : contacts      ? std::pair(46, 60)
-                                             : std::pair(6, 20);
+/// What is measured: so many steps after others that are not.
+struct Case {
+  int wisps;
+  bool contacts;
+  int skipped, steps;
+
+  Case(int count, bool with_contacts, bool quick)
+      : wisps(count),
+        contacts(with_contacts),
+        // With contacts, steps that lie in the first lean.
+        skipped(quick           ? 0
+                : with_contacts ? 45
+                                : 5),
+        steps(quick ? 1 : 15) {}
+  Json scene() const { return contacts ? hairball(wisps) : hairball_without_contacts(wisps); }
+};
+
+BenchRow make_row(const Case& measured, const char* solver, int threads,
+                  const StepFigures& figures) {
+  BenchRow row{.name = "step",
+               .parameters = {{"wisps", measured.wisps},
+                              {"contacts", measured.contacts ? "on" : "off"},
+                              {"threads", threads},
+                              {"solver", solver}},
+               .time = figures.step,
+               .stages = as_json(figures.stages),
+               .figures = {{"newton_iterations", figures.newton_iterations}}};
+  if (measured.contacts) row.contacts = figures.contacts;
+  if (figures.linear_iterations > 0) row.iterations = figures.linear_iterations;
+  return row;
+}
+
+BenchRow measure_fast(const Registry& registry, const Case& measured, int threads) {
   StepFigures figures;
   const auto bytes = peak_memory_during([&] {
-    with_threads(threads, [&] { figures = measure_steps(registry, scene, first, last); });
+    with_threads(threads, [&] {
+      Simulation simulation(read_scene(measured.scene(), registry, "."));
+      skip_steps(simulation, measured.skipped);
+      figures = measure_steps(simulation, measured.steps);
+    });
   });
-  BenchRow row{
-      .name = "step",
-      .parameters = {{"wisps", wisps}, {"contacts", contacts ? "on" : "off"}, {"threads", threads}},
-      .time = figures.step,
-      .stages = as_json(figures.stages),
-      .bytes = bytes,
-      .figures = {{"newton_iterations", figures.newton_iterations}}};
-  if (contacts) {
-    row.iterations = figures.linear_iterations;
-    row.contacts = figures.contacts;
-  }
+  const char* solver = measured.contacts ? "strand_cholesky-PCG" : "strand_cholesky";
+  BenchRow row = make_row(measured, solver, threads, figures);
+  row.bytes = bytes;
   return row;
+}
+
+/// On one thread, from the state in which the fast steps begin.
+BenchRow measure_baseline(const Registry& registry, const Case& measured, BaselineSolver solver,
+                          int steps) {
+  StepFigures figures;
+  std::optional<std::int64_t> bytes;
+  with_threads(1, [&] {
+    Simulation fast(read_scene(measured.scene(), registry, "."));
+    skip_steps(fast, measured.skipped);
+    bytes = peak_memory_during([&] {
+      const Json plain = baseline_scene(measured.scene(), solver);
+      Simulation simulation(read_scene(plain, with_baseline(registry), "."));
+      simulation.set_state(fast.state());
+      figures = measure_steps(simulation, steps);
+    });
+  });
+  const bool is_ldlt = solver == BaselineSolver::ldlt;
+  BenchRow row = make_row(measured, is_ldlt ? "baseline, LDLT" : "baseline, CG", 1, figures);
+  row.name = "step/baseline";
+  row.bytes = bytes;
+  return row;
+}
+
+/// Adds the rows of the baseline; returns the time of its fastest solver a step and wisp, s.
+double add_baseline(const Registry& registry, const Case& measured, BenchOutput& output) {
+  constexpr int ldlt_steps = 3, cg_steps = 1;  // they all take about as long, and long
+  BenchRow ldlt = measure_baseline(registry, measured, BaselineSolver::ldlt,
+                                   std::min(ldlt_steps, measured.steps));
+  output.add(ldlt);
+  double fastest = ldlt.time->median;
+  if (measured.contacts) {
+    BenchRow cg =
+        measure_baseline(registry, measured, BaselineSolver::conjugate_gradient, cg_steps);
+    output.add(cg);
+    fastest = std::min(fastest, cg.time->median);
+  }
+  return fastest / measured.wisps;
+}
+
+std::vector<Column> columns() {
+  constexpr double milli = 1e-3, mega = 1e6;
+  return {{"wisps", "/parameters/wisps"},
+          {"contacts", "/parameters/contacts"},
+          {"threads", "/parameters/threads"},
+          {"solver", "/parameters/solver"},
+          {"step", "/seconds", milli},
+          {"spread", "/spread", milli},
+          {"detect", "/stages/detect", milli},
+          {"evaluate and factor", "/stages/evaluate", milli},
+          {"solve", "/stages/solve", milli},
+          {"line search", "/stages/line_search", milli},
+          {"Newton iterations", "/figures/newton_iterations"},
+          {"CG iterations", "/iterations"},
+          {"contacts found", "/contacts"},
+          {"memory", "/bytes", mega},
+          {"baseline takes x times as long", "/ratio"}};
 }
 
 }  // namespace
 
 void bench_step(const Registry& registry, const BenchOptions& options, BenchOutput& output) {
-  constexpr double milli = 1e-3, mega = 1e6;
   output.start_table(
       "Hairball, a step in ms: without contacts 3 Newton iterations, steps 6 to 20; with contacts "
-      "to the default tolerances, steps 46 to 60, which lie in the first lean; the most memory, MB",
-      {{"wisps", "/parameters/wisps"},
-       {"contacts", "/parameters/contacts"},
-       {"threads", "/parameters/threads"},
-       {"step", "/seconds", milli},
-       {"spread", "/spread", milli},
-       {"detect", "/stages/detect", milli},
-       {"evaluate and factor", "/stages/evaluate", milli},
-       {"solve", "/stages/solve", milli},
-       {"line search", "/stages/line_search", milli},
-       {"Newton iterations", "/figures/newton_iterations"},
-       {"CG iterations", "/iterations"},
-       {"contacts found", "/contacts"},
-       {"memory", "/bytes", mega}});
-  for (const int wisps : sizes(options)) {
-    for (const bool contacts : {false, true}) {
+      "to the default tolerances, steps 46 to 60, which lie in the first lean; the most memory, "
+      "MB. The baseline runs on one thread, for few steps from the same state; its faster solver "
+      "is compared with, a wisp",
+      columns());
+  // Fewer wisps hardly touch each other.
+  constexpr int baseline_wisps = 2000;
+  const std::set<int> wisps = sizes(options);
+  const int compared = std::min(baseline_wisps, *wisps.rbegin());
+  for (const bool contacts : {false, true}) {
+    const double baseline =
+        add_baseline(registry, Case(compared, contacts, options.quick()), output);
+    for (const int count : wisps) {
       for (const int threads : std::set<int>{1, options.threads}) {
-        output.add(measure_row(registry, options, wisps, contacts, threads));
+        BenchRow row = measure_fast(registry, Case(count, contacts, options.quick()), threads);
+        row.ratio = baseline * count / row.time->median;
+        output.add(row);
       }
     }
   }
