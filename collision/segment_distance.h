@@ -26,8 +26,13 @@ template <class S>
 SegmentProximity<S> closest_points(const Vector3<S>& p0, const Vector3<S>& p1, const Vector3<S>& q0,
                                    const Vector3<S>& q1) {
   const S zero(0), one(1);
-  const auto divide = [&](const S& a, const S& b) { return S(a / select(b > zero, b, one)); };
-  const auto clamp = [&](const S& a) { return S(min(max(a, zero), one)); };
+  // Always inline: packs handed over in memory cost more than the sums.
+  const auto divide = [&](const S& a, const S& b) __attribute__((always_inline)) {
+    return S(a / select(b > zero, b, one));
+  };
+  const auto clamp = [&](const S& a) __attribute__((always_inline)) {
+    return S(min(max(a, zero), one));
+  };
   const Vector3<S> d = p1 - p0, e = q1 - q0, r = q0 - p0;
   const Vector3<S> n = cross(d, e);
   const S de = dot(d, e);

@@ -1,9 +1,8 @@
 // Signed distance of a triangle mesh: that of the nearest point of any triangle, with the sign of
 // the pseudo-normal there (surface_normals.h). FCL finds the clusters of triangles near some
-// points; these are measured eight triangles at a time.
+// points; these are measured a cluster at a time (nearest_triangle.h).
 
-#include <limits>
-
+#include "collision/colliders/nearest_triangle.h"
 #include "collision/colliders/surface_normals.h"
 #include "collision/colliders/triangle_clusters.h"
 #include "collision/colliders/triangle_distance.h"
@@ -59,11 +58,13 @@ class MeshCollider final : public Collider {
     const Eigen::Vector3d growth = Eigen::Vector3d::Constant(search + rounding_);
     std::vector<int> near_clusters;
     tree_.find_overlapping(BoundingBox(box.min() - growth, box.max() + growth), near_clusters);
+    NearestTriangle nearest(clusters_, near_clusters, rounding_);
     for (std::size_t n = 0; n < points.size(); ++n) {
-      const int triangle = nearest_triangle(points[n], near_clusters, search);
+      const NearTriangle hit = nearest.find(points[n], search);
       found[n].reset();
-      if (triangle < 0) continue;
-      const Proximity proximity = measure(points[n], surface_[triangle]);
+      if (hit.triangle < 0) continue;
+      const Proximity proximity =
+          hit.above_face ? *hit.above_face : measure(points[n], surface_[hit.triangle]);
       if (proximity.distance <= reach && proximity.distance >= -parameters_.depth) {
         found[n] = proximity;
       }
@@ -71,31 +72,6 @@ class MeshCollider final : public Collider {
   }
 
  private:
-  // The nearest of the clusters' triangles, or -1 if none is nearer than the search distance.
-  int nearest_triangle(const Eigen::Vector3d& point, const std::vector<int>& clusters,
-                       double search) const {
-    const Vector3<Pack> p{Pack(point.x()), Pack(point.y()), Pack(point.z())};
-    double least = search * search * (1 + 1e-12);
-    int nearest = -1;
-    for (const int c : clusters) {
-      const TriangleCluster& cluster = clusters_[c];
-      if (cluster.box.squaredExteriorDistance(point) > least) continue;
-      const Pack squared_distance =
-          closest_point(p, cluster.a, cluster.b, cluster.c).squared_distance;
-      if (!any(squared_distance <= least)) continue;
-      for (int lane = 0; lane < lane_count; ++lane) {
-        const double candidate = squared_distance[lane];
-        const int triangle = cluster.triangles[lane];
-        // Of equally near ones the first in the file, whatever the order of the clusters.
-        if (candidate > least || (candidate == least && nearest >= 0 && triangle > nearest))
-          continue;
-        least = candidate;
-        nearest = triangle;
-      }
-    }
-    return nearest;
-  }
-
   Proximity measure(const Eigen::Vector3d& point, const SurfaceTriangle& triangle) const {
     const auto& [a, b, c] = triangle.corners;
     const auto weights =

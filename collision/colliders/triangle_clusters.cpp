@@ -1,5 +1,6 @@
 #include "collision/colliders/triangle_clusters.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <span>
 
@@ -18,16 +19,28 @@ void set_lane(Vector3<Pack>& packs, int lane, const Eigen::Vector3d& p) {
   packs.z[lane] = p.z();
 }
 
-TriangleCluster make_cluster(const std::vector<SurfaceTriangle>& surface,
-                             std::span<const int> triangles) {
+void set_triangle(TriangleCluster& cluster, int lane,
+                  const std::array<Eigen::Vector3d, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  const Eigen::Vector3d ab = b - a, ac = c - a, bc = c - b, normal = ab.cross(ac);
+  set_lane(cluster.a, lane, a);
+  set_lane(cluster.ab, lane, ab);
+  set_lane(cluster.ac, lane, ac);
+  set_lane(cluster.bc, lane, bc);
+  cluster.inverse_ab[lane] = 1 / ab.squaredNorm();
+  cluster.inverse_ac[lane] = 1 / ac.squaredNorm();
+  cluster.inverse_bc[lane] = 1 / bc.squaredNorm();
+  set_lane(cluster.u, lane, ac.cross(normal) / normal.squaredNorm());
+  set_lane(cluster.v, lane, normal.cross(ab) / normal.squaredNorm());
+  set_lane(cluster.normal, lane, normal.normalized());
+}
+
+TriangleCluster make_cluster(int first, std::span<const SurfaceTriangle> triangles) {
   TriangleCluster cluster;
+  cluster.first = first;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    const int triangle = triangles[std::min(lane, triangles.size() - 1)];
-    const auto& corners = surface[triangle].corners;
-    cluster.triangles[lane] = triangle;
-    set_lane(cluster.a, static_cast<int>(lane), corners[0]);
-    set_lane(cluster.b, static_cast<int>(lane), corners[1]);
-    set_lane(cluster.c, static_cast<int>(lane), corners[2]);
+    const auto& corners = triangles[lane < triangles.size() ? lane : 0].corners;
+    set_triangle(cluster, static_cast<int>(lane), corners);
     for (const Eigen::Vector3d& corner : corners) cluster.box.extend(corner);
   }
   return cluster;
@@ -35,13 +48,18 @@ TriangleCluster make_cluster(const std::vector<SurfaceTriangle>& surface,
 
 }  // namespace
 
-std::vector<TriangleCluster> cluster_triangles(const std::vector<SurfaceTriangle>& surface) {
+std::vector<TriangleCluster> cluster_triangles(std::vector<SurfaceTriangle>& surface) {
   std::vector<Eigen::Vector3d> centres;
   for (const SurfaceTriangle& triangle : surface) centres.push_back(centre(triangle));
+  std::vector<SurfaceTriangle> ordered;
+  ordered.reserve(surface.size());
   std::vector<TriangleCluster> clusters;
   split_at_medians(centres, lane_count, [&](std::span<const int> triangles) {
-    clusters.push_back(make_cluster(surface, triangles));
+    const std::size_t first = ordered.size();
+    for (const int t : triangles) ordered.push_back(surface[t]);
+    clusters.push_back(make_cluster(static_cast<int>(first), std::span(ordered).subspan(first)));
   });
+  surface = std::move(ordered);
   return clusters;
 }
 

@@ -4,7 +4,8 @@
 
 namespace ringlet {
 
-void PairSieve::flush() {
+// Packs handed over to functions in memory would cost more than the sums, hence flatten.
+[[gnu::flatten]] void PairSieve::flush() {
   if (waiting_count_ == 0) return;
   for (int lane = waiting_count_; lane < lane_count; ++lane) waiting_[lane] = waiting_[0];
   const auto vertices = [&](auto member, int next) {
