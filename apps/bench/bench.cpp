@@ -3,7 +3,10 @@
 namespace ringlet {
 
 std::vector<Bench> all_benches() {
-  return {{.name = "filters",
+  return {{.name = "elements",
+           .summary = "an element of each energy with each filter, in lanes and one by one",
+           .run = bench_elements},
+          {.name = "filters",
            .summary = "what each filter of the Hessian costs, and its Newton iterations",
            .run = bench_filters},
           {.name = "step",
@@ -17,6 +20,11 @@ std::vector<Bench> all_benches() {
           {.name = "solvers",
            .summary = "linear solvers on one system of the hairball",
            .run = bench_solvers,
+           .has_strands = true,
+           .has_threads = true},
+          {.name = "tolerance",
+           .summary = "what the tolerance of the conjugate gradients costs and is worth",
+           .run = bench_tolerance,
            .has_strands = true,
            .has_threads = true}};
 }

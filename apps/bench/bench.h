@@ -30,10 +30,12 @@ struct Bench {
 /// All of them, in the order in which they are run.
 std::vector<Bench> all_benches();
 
+void bench_elements(const Registry& registry, const BenchOptions& options, BenchOutput& output);
 void bench_filters(const Registry& registry, const BenchOptions& options, BenchOutput& output);
 void bench_step(const Registry& registry, const BenchOptions& options, BenchOutput& output);
 void bench_strand(const Registry& registry, const BenchOptions& options, BenchOutput& output);
 void bench_solvers(const Registry& registry, const BenchOptions& options, BenchOutput& output);
+void bench_tolerance(const Registry& registry, const BenchOptions& options, BenchOutput& output);
 
 /// A scene of apps/scenes, which the program carries along.
 Json bundled_scene(const std::string& name);

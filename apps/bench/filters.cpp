@@ -1,55 +1,16 @@
 // What the filters of the Hessian cost, how far they are above the numeric clamp, and how many
 // Newton iterations they take.
 
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
 #include <numeric>
 
-#include "apps/bench/bench.h"
-#include "apps/bench/timing.h"
+#include "apps/bench/element_timing.h"
 #include "core/batch_energy.h"
 #include "core/simulation.h"
 #include "core/verify/shapes.h"
-#include "core/verify/verify_energy.h"
 
 namespace ringlet {
 namespace {
-
-/// Curls of the paper's shape, one after the other.
-Points curls(int count, int vertices) {
-  Points x(3, count * vertices);
-  for (int v = 0; v < x.cols(); ++v) {
-    const double turn = 2 * std::numbers::pi / 5 * (v % vertices);
-    x.col(v) = 0.005 * Eigen::Vector3d(std::cos(turn), 0.2 * (v % vertices), std::sin(turn));
-  }
-  return x;
-}
-
-/// Seconds an element takes with gradient and Hessian, in lanes on one thread; the derivatives of
-/// all groups go to the same place, as where a group is factored once it is evaluated.
-Timing time_elements(const EnergyMaker& make, const Json& keys, int element_vertices,
-                     const BenchOptions& options) {
-  const int count = options.quick() ? 8 : 128;
-  constexpr int vertices = 101;
-  std::mt19937_64 random(1);
-  const Points rest = curls(count, vertices);
-  const Points x = rest + 0.001 * random_points(random, count * vertices);
-  const BoundEnergy bound(make(keys), std::vector<int>(count, vertices), rest);
-  const VertexField field = positions_with_pads(bound.groups(), columns(x));
-  EdgeDerivatives derivatives;
-  derivatives.set_zero(vertices);
-  const EdgeOutputs outputs = derivatives.outputs();
-  const Timing timing = measure(
-      [&] {
-        for (int g = 0; g < bound.groups().count(); ++g) {
-          bound.energy().add(g, field.group(g), outputs);
-        }
-      },
-      options.seconds);
-  const double elements = count * (vertices - element_vertices + 1);
-  return {timing.median / elements, timing.spread / elements};
-}
 
 /// Traces of the filtered Hessians of random elements relative to those of the numeric clamp,
 /// ascending.
@@ -68,7 +29,7 @@ std::vector<double> relative_traces(const EnergyMaker& make, const std::string& 
   return traces;
 }
 
-void bench_elements(const Registry& registry, const BenchOptions& options, BenchOutput& output) {
+void bench_costs(const Registry& registry, const BenchOptions& options, BenchOutput& output) {
   output.start_table(
       "Filters: an element with gradient and Hessian, in lanes on one thread; trace of "
       "the Hessian of 400 random elements relative to that of the numeric clamp",
@@ -84,9 +45,9 @@ void bench_elements(const Registry& registry, const BenchOptions& options, Bench
     const auto energy = make(Json::object());
     if (energy->element_function() == nullptr) continue;
     const int vertices = energy->element_function()->vertices();
-    const double clamp = time_elements(make, {{"filter", "clamp"}}, vertices, options).median;
+    const double clamp = time_element(make, {{"filter", "clamp"}}, options).median;
     for (const auto& [filter, filter_name] : EnumNames<Filter>::names) {
-      const Timing timing = time_elements(make, {{"filter", filter_name}}, vertices, options);
+      const Timing timing = time_element(make, {{"filter", filter_name}}, options);
       const auto traces = relative_traces(make, filter_name, vertices, options.quick() ? 5 : 400);
       output.add({.name = "filters/element",
                   .parameters = {{"energy", name}, {"filter", filter_name}},
@@ -144,7 +105,7 @@ void bench_newton(const Registry& registry, const BenchOptions& options, BenchOu
 }  // namespace
 
 void bench_filters(const Registry& registry, const BenchOptions& options, BenchOutput& output) {
-  bench_elements(registry, options, output);
+  bench_costs(registry, options, output);
   bench_newton(registry, options, output);
 }
 

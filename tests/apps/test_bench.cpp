@@ -60,8 +60,8 @@ TEST_CASE("every benchmark runs") {
     CHECK(row["parameters"].is_object());
     if (row.contains("seconds")) CHECK(row["seconds"] > 0);
   }
-  CHECK(names == std::set<std::string>{"filters/element", "filters/newton", "step", "step/baseline",
-                                       "strand", "solvers"});
+  CHECK(names == std::set<std::string>{"elements", "filters/element", "filters/newton", "step",
+                                       "step/baseline", "strand", "solvers", "tolerance"});
 }
 
 TEST_CASE("a benchmark refuses what it does not know") {
