@@ -85,7 +85,7 @@ void ColliderContacts::detect(std::span<const Eigen::Vector3d> positions) {
   std::vector<std::vector<int>> near(chunks_->size());
   for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
     parallel_for_each(static_cast<int>(chunks_->size()), [&](int n) {
-      near[n] = find_near(c, (*chunks_)[n], true, positions, penalty_.thickness + margin_);
+      near[n] = find_near(c, (*chunks_)[n], true, positions, law_.thickness + margin_);
     });
     for (const std::vector<int>& part : near) {
       if (part.empty()) continue;
@@ -110,7 +110,7 @@ void ColliderContacts::evaluate_batch(const Batch& batch, const VertexField& x,
   for (int n = 0; n < count; ++n) {
     neighbourhood.points[n] = to_collider * x.get(vertices_[batch.begin + n]);
   }
-  neighbourhood.ask(*colliders_[batch.collider], count, penalty_.thickness);
+  neighbourhood.ask(*colliders_[batch.collider], count, law_.thickness);
   for (int n = 0; n < count; ++n) {
     const int vertex = vertices_[batch.begin + n];
     Contact& contact = contacts[batch.begin + n];
@@ -118,8 +118,8 @@ void ColliderContacts::evaluate_batch(const Batch& batch, const VertexField& x,
     const auto& found = neighbourhood.found[n];
     if (!found) continue;
     contact.normal = placement.linear() * found->normal;
-    contact.depth = penalty_.thickness - found->distance;
-    contact.energy = penalty_.at(found->distance);
+    contact.depth = law_.thickness - found->distance;
+    contact.energy = law_.at(found->distance);
   }
 }
 

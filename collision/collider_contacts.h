@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "collision/contact.h"
+#include "collision/contact_law.h"
 #include "collision/edge_chunks.h"
 #include "collision/movement.h"
 #include "core/collider.h"
@@ -15,8 +16,8 @@ namespace ringlet {
 /// Vertices against colliders, which motions place.
 class ColliderContacts {
  public:
-  ColliderContacts(std::vector<std::unique_ptr<Collider>> colliders, Penalty penalty, double margin)
-      : colliders_(std::move(colliders)), penalty_(penalty), margin_(margin) {}
+  ColliderContacts(std::vector<std::unique_ptr<Collider>> colliders, ContactLaw law, double margin)
+      : colliders_(std::move(colliders)), law_(law), margin_(margin) {}
 
   /// The arguments outlive this. Colliders stand where they are at time 0.
   void bind(const std::vector<EdgeChunk>& chunks, const Motions& motions);
@@ -45,7 +46,7 @@ class ColliderContacts {
                              std::span<const Eigen::Vector3d> positions, double reach) const;
 
   std::vector<std::unique_ptr<Collider>> colliders_;
-  Penalty penalty_;
+  ContactLaw law_;
   double margin_;
   const std::vector<EdgeChunk>* chunks_ = nullptr;
   const Motions* motions_ = nullptr;

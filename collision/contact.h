@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "collision/penalty.h"
+#include "core/contact_energy.h"
 #include "core/coupling_blocks.h"
 #include "core/vertex_field.h"
 

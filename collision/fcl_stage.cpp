@@ -1,9 +1,6 @@
-// A collision stage on FCL's broad phase, with the quadratic penalty of "Lifted Curls" (Shi, Wu,
-// Parr, Darke, Kim, SCA 2023):
-//
-//     E = k/2 (h - d)^2 for every pair of strand edges, and every vertex and collider, at d < h
-//
-// but that h is the distance at rest of two edges, where that is less.
+// A collision stage on FCL's broad phase. The contact energy is a sum over all pairs of strand
+// edges, and all vertices and colliders, of a function of their distance (see responses/); its
+// thickness h is the distance at rest of two edges, where that is less.
 
 #include "collision/fcl_stage.h"
 
@@ -18,12 +15,11 @@ std::vector<std::unique_ptr<Collider>> make_all(const std::vector<Choice<Collide
   return colliders;
 }
 
-Contact evaluate_pair(const EdgePair& pair, const VertexField& x, const Penalty& penalty) {
+Contact evaluate_pair(const EdgePair& pair, const VertexField& x, const ContactLaw& law) {
   const std::array<int, 4> vertices{pair.first, pair.first + 1, pair.second, pair.second + 1};
   const SegmentGap gap =
       segment_gap({x.get(vertices[0]), x.get(vertices[1]), x.get(vertices[2]), x.get(vertices[3])});
-  return {vertices, gap.weights, gap.normal, penalty.thickness - gap.distance,
-          penalty.at(gap.distance)};
+  return {vertices, gap.weights, gap.normal, law.thickness - gap.distance, law.at(gap.distance)};
 }
 
 }  // namespace
@@ -33,7 +29,9 @@ Schema<FclStageParameters> FclStageParameters::schema() {
   return Schema<P>()
       .key("thickness", &P::thickness, "m", positive(),
            "distance below which the centre lines of two strands push each other apart")
-      .key("stiffness", &P::stiffness, "N/m", at_least(0), "of the penalty, per contact")
+      .key("stiffness", &P::stiffness, "N/m", at_least(0),
+           "of the response, per contact: the force at half the thickness is about half of its "
+           "product with the thickness")
       .key("strand_contacts", &P::strand_contacts, "", any_number(),
            "whether strands feel each other and themselves")
       .key("push_at_rest", &P::push_at_rest, "", any_number(),
@@ -46,16 +44,16 @@ Schema<FclStageParameters> FclStageParameters::schema() {
       .key("collider_thickness", &P::collider_thickness, "m", positive(),
            "distance below which a collider pushes a vertex away; half the thickness if absent")
       .key("collider_stiffness", &P::collider_stiffness, "N/m", at_least(0),
-           "of the penalty against colliders, per vertex; that between strands if absent")
+           "of the response of colliders, per vertex; that between strands if absent")
       .key("margin", &P::margin, "m", at_least(0),
            "candidates are collected this much further than the thickness, so that they last while "
            "strands move; half the thickness if absent")
       .key("detector", &P::detector, "", any_number(), "finds the edges that are near each other")
-      .key(
-          "detect", &P::detect, "", any_number(),
-          "when candidates are collected anew: at every Newton iteration; once a step, which "
-          "misses "
-          "contacts; or when something has moved by so much of the margin that one could be missed")
+      .key("response", &P::response, "", any_number(), "how hard contacts are pushed apart")
+      .key("detect", &P::detect, "", any_number(),
+           "when candidates are collected anew: at every Newton iteration; once a step, which "
+           "misses contacts; or when something has moved by so much of the margin that one could "
+           "be missed")
       .key("colliders", &P::colliders, "", any_number(), "rigid bodies that strands may touch")
       .check([](P& p, const std::string&, ParseContext&) {
         p.arc_distance = p.arc_distance.value_or(2 * p.thickness);
@@ -67,9 +65,11 @@ Schema<FclStageParameters> FclStageParameters::schema() {
 
 FclStage::FclStage(const FclStageParameters& parameters)
     : parameters_(parameters),
-      collider_contacts_(make_all(parameters.colliders),
-                         {*parameters.collider_thickness, *parameters.collider_stiffness},
-                         *parameters.margin) {}
+      response_(parameters.response.make()),
+      collider_contacts_(
+          make_all(parameters.colliders),
+          {response_.get(), *parameters.collider_thickness, *parameters.collider_stiffness},
+          *parameters.margin) {}
 
 void FclStage::bind(const Strands& strands, const StrandGroups& groups, const Motions& motions) {
   groups_ = &groups;
@@ -132,7 +132,8 @@ void FclStage::collect_candidates() {
 void FclStage::evaluate(const VertexField& x) {
   contacts_.resize(pairs_.size() + collider_contacts_.candidate_count());
   parallel_for_each(static_cast<int>(pairs_.size()), [&](int p) {
-    contacts_[p] = evaluate_pair(pairs_[p], x, {thickness_[p], parameters_.stiffness});
+    contacts_[p] =
+        evaluate_pair(pairs_[p], x, {response_.get(), thickness_[p], parameters_.stiffness});
   });
   collider_contacts_.evaluate(x, std::span(contacts_).subspan(pairs_.size()));
 }
@@ -156,8 +157,8 @@ void register_fcl_stage(Registry& registry);
 void register_fcl_stage(Registry& registry) {
   registry.of<CollisionStage>().add<FclStageParameters>(
       "fcl",
-      {"contacts between strands, found by FCL, and with colliders, resisted by a penalty",
-       "k/2 (h - d)^2 for d < h", "Shi et al., Lifted Curls, SCA 2023"},
+      {"contacts between strands, found by FCL, and with colliders", "sum of E(d) over d < h",
+       "Shi et al., Lifted Curls, SCA 2023"},
       [](const FclStageParameters& parameters) { return std::make_unique<FclStage>(parameters); });
 }
 

@@ -34,6 +34,7 @@ struct FclStageParameters {
   std::optional<double> collider_stiffness;
   std::optional<double> margin;
   Choice<ContactDetector> detector = "fcl";
+  Choice<ContactEnergy> response = "penalty";
   DetectWhen detect = DetectWhen::margin;
   std::vector<Choice<Collider>> colliders;
 
@@ -41,7 +42,7 @@ struct FclStageParameters {
 };
 
 /// Contacts between strands, found with FCL, and between strands and colliders, resisted by a
-/// quadratic penalty.
+/// contact energy.
 class FclStage final : public CollisionStage {
  public:
   explicit FclStage(const FclStageParameters& parameters);
@@ -60,6 +61,7 @@ class FclStage final : public CollisionStage {
   void evaluate(const VertexField& x);
 
   FclStageParameters parameters_;
+  std::unique_ptr<ContactEnergy> response_;
   ColliderContacts collider_contacts_;
   const StrandGroups* groups_ = nullptr;
   std::vector<EdgeChunk> chunks_;

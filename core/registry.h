@@ -22,6 +22,7 @@ class LinearSolver;
 class Integrator;
 class CollisionStage;
 class ContactDetector;
+class ContactEnergy;
 class Collider;
 class Observer;
 
@@ -71,6 +72,10 @@ struct Kind<CollisionStage> {
 template <>
 struct Kind<ContactDetector> {
   static constexpr const char* name = "contact detector";
+};
+template <>
+struct Kind<ContactEnergy> {
+  static constexpr const char* name = "contact energy";
 };
 template <>
 struct Kind<Collider> {
@@ -187,7 +192,8 @@ class Registry {
   std::tuple<Catalogue<StrandSource>, Catalogue<StrandReader>, Catalogue<RootSource>,
              Catalogue<Pose>, Catalogue<Motion>, Catalogue<Energy>, Catalogue<Force>,
              Catalogue<LinearSolver>, Catalogue<Integrator>, Catalogue<CollisionStage>,
-             Catalogue<ContactDetector>, Catalogue<Collider>, Catalogue<Observer>>
+             Catalogue<ContactDetector>, Catalogue<ContactEnergy>, Catalogue<Collider>,
+             Catalogue<Observer>>
       catalogues_;
 };
 
