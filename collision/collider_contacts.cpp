@@ -21,14 +21,21 @@ struct Neighbourhood {
 void ColliderContacts::bind(const std::vector<EdgeChunk>& chunks, const Motions& motions) {
   chunks_ = &chunks;
   motions_ = &motions;
-  move_to(0);
+  move_to(0, 0);
 }
 
-void ColliderContacts::move_to(double time) {
+void ColliderContacts::move_to(double time_end, double dt) {
   placements_.clear();
+  since_begin_.clear();
   for (const auto& collider : colliders_) {
-    placements_.push_back(motions_->at(collider->placement().motion.name, time));
+    const std::string& motion = collider->placement().motion.name;
+    placements_.push_back(motions_->at(motion, time_end));
+    since_begin_.push_back(placements_.back() * motions_->at(motion, time_end - dt).inverse());
   }
+}
+
+Eigen::Vector3d ColliderContacts::displacement(int candidate, const Eigen::Vector3d& point) const {
+  return point - since_begin_[collider_of_[candidate]].inverse() * point;
 }
 
 std::vector<Pin> ColliderContacts::pins(std::span<const Eigen::Vector3d> positions) const {
@@ -81,6 +88,7 @@ bool ColliderContacts::are_valid(std::span<const Eigen::Vector3d> positions,
 void ColliderContacts::detect(std::span<const Eigen::Vector3d> positions) {
   detected_ = placements_;
   vertices_.clear();
+  collider_of_.clear();
   batches_.clear();
   std::vector<std::vector<int>> near(chunks_->size());
   for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
@@ -91,6 +99,7 @@ void ColliderContacts::detect(std::span<const Eigen::Vector3d> positions) {
       if (part.empty()) continue;
       const int begin = candidate_count();
       vertices_.insert(vertices_.end(), part.begin(), part.end());
+      collider_of_.resize(vertices_.size(), c);
       batches_.push_back({c, begin, candidate_count()});
     }
   }

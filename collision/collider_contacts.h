@@ -23,7 +23,8 @@ class ColliderContacts {
   void bind(const std::vector<EdgeChunk>& chunks, const Motions& motions);
   std::vector<Pin> pins(std::span<const Eigen::Vector3d> positions) const;
   void set_free(std::vector<bool> is_free) { is_free_ = std::move(is_free); }
-  void move_to(double time);
+  /// Places the colliders where they are at the end of a step.
+  void move_to(double time_end, double dt);
 
   /// Collects the free vertices nearer to a collider than thickness and margin.
   void detect(std::span<const Eigen::Vector3d> positions);
@@ -31,6 +32,8 @@ class ColliderContacts {
   /// movement: since the last detect().
   bool are_valid(std::span<const Eigen::Vector3d> positions, const Movement& movement) const;
   int candidate_count() const { return static_cast<int>(vertices_.size()); }
+  /// How far, m, the collider of a candidate has moved a point of it since the step began.
+  Eigen::Vector3d displacement(int candidate, const Eigen::Vector3d& point) const;
   /// Contacts of all candidates.
   void evaluate(const VertexField& x, std::span<Contact> contacts) const;
 
@@ -51,9 +54,11 @@ class ColliderContacts {
   const std::vector<EdgeChunk>* chunks_ = nullptr;
   const Motions* motions_ = nullptr;
   std::vector<bool> is_free_;
-  std::vector<Eigen::Isometry3d> placements_;  // of each collider's frame
-  std::vector<Eigen::Isometry3d> detected_;    // the placements at the last detect()
+  std::vector<Eigen::Isometry3d> placements_;   // of each collider's frame
+  std::vector<Eigen::Isometry3d> since_begin_;  // the motion of each in this step
+  std::vector<Eigen::Isometry3d> detected_;     // the placements at the last detect()
   std::vector<int> vertices_;
+  std::vector<int> collider_of_;  // of each candidate
   std::vector<Batch> batches_;
 };
 

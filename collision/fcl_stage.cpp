@@ -45,6 +45,12 @@ Schema<FclStageParameters> FclStageParameters::schema() {
            "distance below which a collider pushes a vertex away; half the thickness if absent")
       .key("collider_stiffness", &P::collider_stiffness, "N/m", at_least(0),
            "of the response of colliders, per vertex; that between strands if absent")
+      .key("friction", &P::friction, "", at_least(0), "Coulomb's coefficient between strands")
+      .key("collider_friction", &P::collider_friction, "", at_least(0),
+           "Coulomb's coefficient of colliders; that between strands if absent")
+      .key("sticking_speed", &P::sticking_speed, "m/s", positive(),
+           "friction grows up to this relative speed and is full from there on: what should stick "
+           "creeps more slowly")
       .key("margin", &P::margin, "m", at_least(0),
            "candidates are collected this much further than the thickness, so that they last while "
            "strands move; half the thickness if absent")
@@ -59,6 +65,7 @@ Schema<FclStageParameters> FclStageParameters::schema() {
         p.arc_distance = p.arc_distance.value_or(2 * p.thickness);
         p.collider_thickness = p.collider_thickness.value_or(p.thickness / 2);
         p.collider_stiffness = p.collider_stiffness.value_or(p.stiffness);
+        p.collider_friction = p.collider_friction.value_or(p.friction);
         p.margin = p.margin.value_or(p.thickness / 2);
       });
 }
@@ -69,7 +76,8 @@ FclStage::FclStage(const FclStageParameters& parameters)
       collider_contacts_(
           make_all(parameters.colliders),
           {response_.get(), *parameters.collider_thickness, *parameters.collider_stiffness},
-          *parameters.margin) {}
+          *parameters.margin),
+      friction_(parameters.friction, *parameters.collider_friction, parameters.sticking_speed) {}
 
 void FclStage::bind(const Strands& strands, const StrandGroups& groups, const Motions& motions) {
   groups_ = &groups;
@@ -97,12 +105,18 @@ void FclStage::set_free(const VertexScalars& free) {
   collider_contacts_.set_free(std::move(is_free));
 }
 
-void FclStage::begin_step(const VertexField&, double time_end, double) {
-  collider_contacts_.move_to(time_end);
+void FclStage::begin_step(const VertexField& x_n, double time_end, double dt) {
+  collider_contacts_.move_to(time_end, dt);
+  if (friction_.is_wanted()) friction_.begin_step(x_n, dt);
   is_new_step_ = true;
 }
 
 void FclStage::detect(const VertexField& x) {
+  find_candidates(x);
+  if (friction_.is_wanted()) lag_friction(x);
+}
+
+void FclStage::find_candidates(const VertexField& x) {
   if (parameters_.detect == DetectWhen::step && !is_new_step_) return;
   is_new_step_ = false;
   parallel_for_each(static_cast<int>(positions_.size()), [&](int v) { positions_[v] = x.get(v); });
@@ -138,6 +152,23 @@ void FclStage::evaluate(const VertexField& x) {
   collider_contacts_.evaluate(x, std::span(contacts_).subspan(pairs_.size()));
 }
 
+// Friction is that of the forces, normals and closest points at x, until the next iteration.
+void FclStage::lag_friction(const VertexField& x) {
+  evaluate(x);
+  friction_.clear();
+  for (std::size_t n = 0; n < contacts_.size(); ++n) {
+    const Contact& contact = contacts_[n];
+    if (!contact.touches()) continue;
+    if (n < pairs_.size()) {
+      friction_.add_strand_contact(contact);
+    } else {
+      friction_.add_collider_contact(
+          contact, collider_contacts_.displacement(static_cast<int>(n - pairs_.size()),
+                                                   x.get(contact.vertices[0])));
+    }
+  }
+}
+
 double FclStage::add(const VertexField& x, VertexField* gradient, CouplingBlocks* hessian) {
   evaluate(x);
   report_ = {};
@@ -150,7 +181,7 @@ double FclStage::add(const VertexField& x, VertexField* gradient, CouplingBlocks
     ++(n < pairs_.size() ? report_.strand_contacts : report_.collider_contacts);
     report_.penetration = std::max(report_.penetration, contact.depth);
   }
-  return energy;
+  return energy + friction_.add(x, gradient, hessian);
 }
 
 void register_fcl_stage(Registry& registry);

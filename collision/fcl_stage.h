@@ -6,6 +6,7 @@
 
 #include "collision/collider_contacts.h"
 #include "collision/contact_rule.h"
+#include "collision/friction.h"
 #include "collision/movement.h"
 #include "collision/rest_pairs.h"
 #include "core/collision_stage.h"
@@ -32,6 +33,9 @@ struct FclStageParameters {
   std::optional<double> arc_distance;
   std::optional<double> collider_thickness;
   std::optional<double> collider_stiffness;
+  double friction = 0;
+  std::optional<double> collider_friction;
+  double sticking_speed = 1e-3;
   std::optional<double> margin;
   Choice<ContactDetector> detector = "fcl";
   Choice<ContactEnergy> response = "penalty";
@@ -58,7 +62,9 @@ class FclStage final : public CollisionStage {
  private:
   bool are_candidates_valid() const;
   void collect_candidates();
+  void find_candidates(const VertexField& x);
   void evaluate(const VertexField& x);
+  void lag_friction(const VertexField& x);
 
   FclStageParameters parameters_;
   std::unique_ptr<ContactEnergy> response_;
@@ -74,6 +80,7 @@ class FclStage final : public CollisionStage {
   std::vector<EdgePair> pairs_;             // candidates
   std::vector<double> thickness_;           // of each pair
   std::vector<Contact> contacts_;           // of the pairs, then of the colliders
+  Friction friction_;
   ContactReport report_;
 };
 

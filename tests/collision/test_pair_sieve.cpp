@@ -1,6 +1,6 @@
-#include "collision/detectors/pair_sieve.h"
 #include <Eigen/Geometry>
 
+#include "collision/detectors/pair_sieve.h"
 #include "collision/segment_distance.h"
 #include "tests/catch.h"
 #include "tests/collision/random_strands.h"
