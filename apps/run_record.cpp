@@ -73,6 +73,8 @@ Json summarise(const RunRecord& record, const Simulation& simulation) {
                {"steps_newton_not_converged", record.newton_caps},
                {"steps_linear_not_converged", record.linear_caps}};
   summary.update(size_of(simulation.model()));
+  const std::string account = simulation.model().solver->account();
+  if (!account.empty()) summary["solver"] = account;
   summary["peak_memory_bytes"] = peak_memory_bytes();
   summary.update(describe_machine());
   summary["expect"] = list_results(record.expectations);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "core/system_matrix.h"
 
 namespace ringlet {
@@ -57,6 +59,8 @@ class LinearSolver {
   /// factor does. Unlike solve(), it neither iterates nor reports where a fixed approximation is at
   /// hand.
   virtual void apply(const VertexField& r, VertexField& z) { solve(r, z); }
+  /// Of a solver that chooses how it solves: what it chose so far, and why. Else empty.
+  virtual std::string account() const { return {}; }
 };
 
 }  // namespace ringlet

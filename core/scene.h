@@ -41,7 +41,7 @@ struct Scene {
   std::vector<Choice<Energy>> energies{"stretch", "bending", "twist"};
   std::vector<Choice<Force>> forces;
   std::optional<Choice<CollisionStage>> collision;
-  Choice<LinearSolver> solver{"strand_cholesky"};
+  Choice<LinearSolver> solver{"auto"};
   Choice<Integrator> integrator{"bdf1"};
   RunParameters run;
   std::vector<Expectation> expect;

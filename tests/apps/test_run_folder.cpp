@@ -58,4 +58,9 @@ TEST_CASE("metrics and summary tell what happened") {
   CHECK(summary["threads"] == 1);
   CHECK(summary["steps_newton_not_converged"] == 6);
   CHECK(summary["peak_memory_bytes"] > 1000000);
+  CHECK_FALSE(summary.contains("solver"));
+
+  REQUIRE(place.run({"run", scene, "-o", "auto", "--set", "/solver=auto"}).exit_code == 0);
+  const Json chosen = Json::parse(read_text(place.folder() / "auto/summary.json"));
+  CHECK(chosen["solver"].get<std::string>().find("no contact coupled any") != std::string::npos);
 }

@@ -15,6 +15,7 @@ std::vector<Json> exact_solvers() {
   return {Json{{"type", "cholesky"}},
           Json{{"type", "jacobi"}, {"tolerance", 1e-10}, {"max_iterations", 100000}},
           Json{{"type", "pcg"}, {"tolerance", 1e-10}},
+          Json{{"type", "auto"}, {"coupled", {{"type", "pcg"}, {"tolerance", 1e-10}}}},
           Json{{"type", "pcg"}, {"tolerance", 1e-10}, {"preconditioner", "jacobi"}},
           Json{{"type", "pcg"}, {"tolerance", 1e-10}, {"preconditioner", "cholesky"}},
           Json{{"type", "pcg"}, {"tolerance", 1e-10}, {"preconditioner", "none"}}};
@@ -201,6 +202,19 @@ TEST_CASE("strands that nothing couples are solved without iterations, beside th
       RandomSystem::dense_solution(loose.dense, loose.right_hand_side(1));
   CHECK(relative_difference(prepared.solution().matrix(), expected) < 1e-10);
   CHECK(Prepared(*solver, tied.matrix, tied.right_hand_side(1)).solve().iterations > 0);
+}
+
+TEST_CASE("auto tells what it chose, and why") {
+  const RandomSystem loose(lengths, 0, 20), tied(lengths, 40, 20);
+  const auto solver = make_solver("auto");
+  CHECK(solver->account().empty());
+  for (const RandomSystem* system : {&loose, &tied, &tied}) {
+    Prepared prepared(*solver, system->matrix, system->right_hand_side(3));
+    CHECK((prepared.solve().iterations > 0) == system->matrix.couples_strands());
+  }
+  CHECK(solver->account() ==
+        "1 systems by the factors of their strands: no contact coupled any; 2 systems by pcg: "
+        "contacts coupled strands");
 }
 
 TEST_CASE("the bits of a solution do not depend on the number of threads") {
