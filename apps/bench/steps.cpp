@@ -1,12 +1,18 @@
 // How long a time step of the hairball takes, stage by stage, beside the baseline.
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <filesystem>
+#include <optional>
 #include <set>
 
 #include "apps/bench/baseline/baseline.h"
 #include "apps/bench/bench.h"
 #include "apps/bench/hairball.h"
 #include "apps/bench/peak_memory.h"
+#include "core/observer.h"
+#include "core/read_choice.h"
 
 namespace ringlet {
 namespace {
@@ -53,17 +59,34 @@ BenchRow make_row(const Case& measured, const char* solver, int threads,
   return row;
 }
 
-BenchRow measure_fast(const Registry& registry, const Case& measured, int threads) {
+/// Of writing a frame for ParaView, s.
+double output_seconds(const Registry& registry, const Simulation& simulation, double seconds) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / ("ringlet_bench_" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const auto writer = make_chosen<Observer>(registry, "vtp");
+  writer->begin(simulation.model(), simulation.state(), folder);
+  int step = 0;
+  const Timing timing = measure(
+      [&] { writer->observe(simulation.model(), simulation.state(), ++step, {}); }, seconds);
+  fs::remove_all(folder);
+  return timing.median;
+}
+
+BenchRow measure_fast(const Registry& registry, const BenchOptions& options, const Case& measured,
+                      int threads) {
   StepFigures figures;
+  std::optional<Simulation> simulation;
   const auto bytes = peak_memory_during([&] {
     with_threads(threads, [&] {
-      Simulation simulation(read_scene(measured.scene(), registry, "."));
-      skip_steps(simulation, measured.skipped);
-      figures = measure_steps(simulation, measured.steps);
+      simulation.emplace(read_scene(measured.scene(), registry, "."));
+      skip_steps(*simulation, measured.skipped);
+      figures = measure_steps(*simulation, measured.steps);
     });
   });
   const char* solver = measured.contacts ? "strand_cholesky-PCG" : "strand_cholesky";
   BenchRow row = make_row(measured, solver, threads, figures);
+  row.stages["output"] = output_seconds(registry, *simulation, options.seconds);
   row.bytes = bytes;
   return row;
 }
@@ -118,6 +141,7 @@ std::vector<Column> columns() {
           {"evaluate and factor", "/stages/evaluate", milli},
           {"solve", "/stages/solve", milli},
           {"line search", "/stages/line_search", milli},
+          {"output, if any", "/stages/output", milli},
           {"Newton iterations", "/figures/newton_iterations"},
           {"CG iterations", "/iterations"},
           {"contacts found", "/contacts"},
@@ -130,7 +154,8 @@ std::vector<Column> columns() {
 void bench_step(const Registry& registry, const BenchOptions& options, BenchOutput& output) {
   output.start_table(
       "Hairball, a step in ms: without contacts 3 Newton iterations, steps 6 to 20; with contacts "
-      "to the default tolerances, steps 46 to 60, which lie in the first lean; the most memory, "
+      "to the default tolerances, steps 46 to 60, which lie in the first lean; a frame of output, "
+      "which the step does not hold; the most memory, "
       "MB. The baseline runs on one thread, for few steps from the same state; its faster solver "
       "is compared with, a wisp",
       columns());
@@ -143,7 +168,8 @@ void bench_step(const Registry& registry, const BenchOptions& options, BenchOutp
         add_baseline(registry, Case(compared, contacts, options.quick()), output);
     for (const int count : wisps) {
       for (const int threads : std::set<int>{1, options.threads}) {
-        BenchRow row = measure_fast(registry, Case(count, contacts, options.quick()), threads);
+        BenchRow row =
+            measure_fast(registry, options, Case(count, contacts, options.quick()), threads);
         row.ratio = baseline * count / row.time->median;
         output.add(row);
       }

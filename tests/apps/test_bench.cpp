@@ -86,6 +86,7 @@ TEST_CASE("the largest hairball and the threads can be chosen") {
     CHECK(row["parameters"]["wisps"] == 9);
     CHECK(row["parameters"]["threads"] == 1);
     CHECK(row.contains("ratio") == (row["name"] == "step"));
+    CHECK(row["stages"].contains("output") == (row["name"] == "step"));
   }
   CHECK(names == std::vector<std::string>{"step/baseline", "step", "step/baseline", "step/baseline",
                                           "step"});
