@@ -55,7 +55,10 @@ void bench_solvers(const Registry& registry, const BenchOptions& options, BenchO
        {"converged", "/figures/converged"},
        {"residual", "/figures/residual"}});
   const auto pcg = [](const Json& preconditioner) {
-    return Json{{"type", "pcg"}, {"max_iterations", 10000}, {"preconditioner", preconditioner}};
+    return Json{{"type", "pcg"},
+                {"tolerance", 1e-6},
+                {"max_iterations", 10000},
+                {"preconditioner", preconditioner}};
   };
   with_threads(options.threads, [&] {
     Simulation simulation(read_scene(hairball(wisps), registry, "."));
