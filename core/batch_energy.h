@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/autodiff.h"
+#include "core/counted.h"
 #include "core/element.h"
 #include "core/energy.h"
 #include "core/numeric_filter.h"
@@ -94,6 +97,27 @@ class BatchEnergy final : public Energy, public ElementFunction {
       result.hessian = differences.transpose() * dense_hessian(derivatives) * differences;
     }
     return result;
+  }
+  ElementCost cost(const Eigen::Matrix3Xd& positions, double stiffness,
+                   double rest) const override {
+    ElementCost cost{0, sizeof(Rest<double>)};
+    if constexpr (MeasureKernel<Kernel>) {
+      const auto count = [&cost](double value) { return Counted(value, cost.operations); };
+      Stencil<Counted, K> x;
+      for (int n = 0; n < K; ++n) {
+        x[n] = {count(positions(0, n)), count(positions(1, n)), count(positions(2, n))};
+      }
+      using Numbers = std::array<double, rest_size>;
+      const auto numbers = std::bit_cast<Numbers>(kernel_.rest_of(stiffness, rest));
+      std::array<Counted, rest_size> counted;
+      std::transform(numbers.begin(), numbers.end(), counted.begin(), count);
+      Derivatives<Counted, K> derivatives;
+      with_kernel_filter([&]<Filter filter>() {
+        return evaluate_kernel<filter>(x, std::bit_cast<Rest<Counted>>(counted),
+                                       derivatives.outputs());
+      });
+    }
+    return cost;
   }
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "core/edge_derivatives.h"
@@ -15,6 +16,12 @@ struct ElementDerivatives {
   Eigen::MatrixXd hessian;   ///< N/m
 };
 
+/// What an element costs where its gradient and filtered Hessian are added in lanes.
+struct ElementCost {
+  std::int64_t operations;  ///< as core/counted.h counts them, without those of a numeric filter
+  int rest_bytes;           ///< of its rest data
+};
+
 /// One element of an energy by itself, for tools and tests.
 class ElementFunction {
  public:
@@ -24,6 +31,9 @@ class ElementFunction {
   /// given stiffness k, J, and its measure (length, angle) at rest.
   virtual ElementDerivatives evaluate(const Eigen::Matrix3Xd& positions, double stiffness,
                                       double rest) const = 0;
+  /// The same element's cost, a lane.
+  virtual ElementCost cost(const Eigen::Matrix3Xd& positions, double stiffness,
+                           double rest) const = 0;
 };
 
 /// One term of the elastic potential of the strands: a function of their edges alone. (What depends

@@ -26,6 +26,11 @@ std::vector<Bench> all_benches() {
            .summary = "what the tolerance of the conjugate gradients costs and is worth",
            .run = bench_tolerance,
            .has_strands = true,
+           .has_threads = true},
+          {.name = "limits",
+           .summary = "multiply-adds and bandwidths of this machine, and the part that is reached",
+           .run = bench_limits,
+           .has_strands = true,
            .has_threads = true}};
 }
 

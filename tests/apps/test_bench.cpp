@@ -61,7 +61,9 @@ TEST_CASE("every benchmark runs") {
     if (row.contains("seconds")) CHECK(row["seconds"] > 0);
   }
   CHECK(names == std::set<std::string>{"elements", "filters/element", "filters/newton", "step",
-                                       "step/baseline", "strand", "solvers", "tolerance"});
+                                       "step/baseline", "strand", "solvers", "tolerance",
+                                       "limits/multiply_add", "limits/memory", "limits/cache",
+                                       "limits/evaluate_factor_substitute"});
 }
 
 TEST_CASE("a benchmark refuses what it does not know") {
