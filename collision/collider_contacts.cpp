@@ -1,5 +1,8 @@
 #include "collision/collider_contacts.h"
 
+#include <algorithm>
+
+#include "collision/continuous.h"
 #include "core/parallel.h"
 
 namespace ringlet {
@@ -32,6 +35,69 @@ void ColliderContacts::move_to(double time_end, double dt) {
     placements_.push_back(motions_->at(motion, time_end));
     since_begin_.push_back(placements_.back() * motions_->at(motion, time_end - dt).inverse());
   }
+}
+
+double ColliderContacts::free_part(int collider, const Eigen::Vector3d& from,
+                                   const Eigen::Vector3d& to, double kept_part) const {
+  const Eigen::Isometry3d to_collider = placements_[collider].inverse();
+  const double longest = (to - from).norm();
+  const auto distance = [&](double part) {
+    const Eigen::Vector3d point = to_collider * (from + part * (to - from));
+    std::optional<Proximity> found;
+    colliders_[collider]->near({&point, 1}, longest, {&found, 1});
+    return found ? found->distance : longest;
+  };
+  if (longest == 0) return 1;
+  return ringlet::free_part(longest, std::max(0.0, kept_part * distance(0)), distance);
+}
+
+double ColliderContacts::free_part(std::span<const Eigen::Vector3d> from,
+                                   std::span<const Eigen::Vector3d> to, double kept_part) const {
+  std::vector<double> parts(from.size(), 1);
+  for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
+    parallel_for_each(static_cast<int>(from.size()), [&](int v) {
+      if (is_free_[v]) parts[v] = std::min(parts[v], free_part(c, from[v], to[v], kept_part));
+    });
+  }
+  return *std::min_element(parts.begin(), parts.end());
+}
+
+void ColliderContacts::carry_what_is_hit(std::span<const Eigen::Vector3d> start,
+                                         std::span<Eigen::Vector3d> to) const {
+  for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
+    parallel_for_each(static_cast<int>(start.size()), [&](int v) {
+      const Eigen::Vector3d carried = since_begin_[c] * start[v];
+      if (is_free_[v] && free_part(c, carried, to[v], 0) < 1) to[v] = carried;
+    });
+  }
+}
+
+double ColliderContacts::free_part_of_step(std::span<const Eigen::Vector3d> start,
+                                           std::span<const Eigen::Vector3d> to,
+                                           double kept_part) const {
+  std::vector<double> parts(start.size(), 1);
+  for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
+    parallel_for_each(static_cast<int>(start.size()), [&](int v) {
+      if (!is_free_[v]) return;
+      parts[v] = std::min(parts[v], free_part(c, since_begin_[c] * start[v], to[v], kept_part));
+    });
+  }
+  return *std::min_element(parts.begin(), parts.end());
+}
+
+double ColliderContacts::deepest(std::span<const Eigen::Vector3d> positions) const {
+  std::vector<double> depths(positions.size(), 0.0);
+  for (std::size_t c = 0; c < colliders_.size(); ++c) {
+    const Eigen::Isometry3d to_collider = placements_[c].inverse();
+    parallel_for_each(static_cast<int>(positions.size()), [&](int v) {
+      if (!is_free_[v]) return;
+      const Eigen::Vector3d point = to_collider * positions[v];
+      std::optional<Proximity> found;
+      colliders_[c]->near({&point, 1}, 0, {&found, 1});
+      if (found) depths[v] = std::max(depths[v], -found->distance);
+    });
+  }
+  return depths.empty() ? 0 : *std::max_element(depths.begin(), depths.end());
 }
 
 Eigen::Vector3d ColliderContacts::displacement(int candidate, const Eigen::Vector3d& point) const {
@@ -85,7 +151,8 @@ bool ColliderContacts::are_valid(std::span<const Eigen::Vector3d> positions,
   return true;
 }
 
-void ColliderContacts::detect(std::span<const Eigen::Vector3d> positions) {
+void ColliderContacts::detect(std::span<const Eigen::Vector3d> positions,
+                              std::optional<double> margin) {
   detected_ = placements_;
   vertices_.clear();
   collider_of_.clear();
@@ -93,7 +160,8 @@ void ColliderContacts::detect(std::span<const Eigen::Vector3d> positions) {
   std::vector<std::vector<int>> near(chunks_->size());
   for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
     parallel_for_each(static_cast<int>(chunks_->size()), [&](int n) {
-      near[n] = find_near(c, (*chunks_)[n], true, positions, law_.thickness + margin_);
+      near[n] =
+          find_near(c, (*chunks_)[n], true, positions, law_.thickness + margin.value_or(margin_));
     });
     for (const std::vector<int>& part : near) {
       if (part.empty()) continue;

@@ -26,12 +26,25 @@ class ColliderContacts {
   /// Places the colliders where they are at the end of a step.
   void move_to(double time_end, double dt);
 
-  /// Collects the free vertices nearer to a collider than thickness and margin.
-  void detect(std::span<const Eigen::Vector3d> positions);
+  /// Collects the free vertices nearer to a collider than the thickness and a margin, m: the one
+  /// given to the constructor if none is.
+  void detect(std::span<const Eigen::Vector3d> positions, std::optional<double> margin = {});
+  /// The part of straight ways that free vertices may go before one comes nearer to a collider than
+  /// a part of its first distance; 1: all of it, 0: one is inside at the start.
+  double free_part(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
+                   double kept_part) const;
+  /// The same for ways from the start of the step, seen from the moving colliders.
+  double free_part_of_step(std::span<const Eigen::Vector3d> start,
+                           std::span<const Eigen::Vector3d> to, double kept_part) const;
+  /// Moves every free vertex that a moving collider hits on its way in the step along with it.
+  void carry_what_is_hit(std::span<const Eigen::Vector3d> start,
+                         std::span<Eigen::Vector3d> to) const;
   /// Whether no vertex but the candidates can be nearer to a collider than the thickness.
   /// movement: since the last detect().
   bool are_valid(std::span<const Eigen::Vector3d> positions, const Movement& movement) const;
   int candidate_count() const { return static_cast<int>(vertices_.size()); }
+  /// How deep, m, a free vertex is inside of a collider at most; 0 if none is.
+  double deepest(std::span<const Eigen::Vector3d> positions) const;
   /// How far, m, the collider of a candidate has moved a point of it since the step began.
   Eigen::Vector3d displacement(int candidate, const Eigen::Vector3d& point) const;
   /// Contacts of all candidates.
@@ -44,6 +57,8 @@ class ColliderContacts {
     int begin, end;  // in vertices_
   };
   void evaluate_batch(const Batch& batch, const VertexField& x, std::span<Contact> contacts) const;
+  double free_part(int collider, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                   double kept_part) const;
   /// Of a chunk's own vertices, those nearer to a collider than reach.
   std::vector<int> find_near(int collider, const EdgeChunk& chunk, bool free_only,
                              std::span<const Eigen::Vector3d> positions, double reach) const;

@@ -4,6 +4,7 @@
 
 #include "collision/fcl_stage.h"
 
+#include "collision/continuous.h"
 #include "core/parallel.h"
 
 namespace ringlet {
@@ -20,6 +21,19 @@ Contact evaluate_pair(const EdgePair& pair, const VertexField& x, const ContactL
   const SegmentGap gap =
       segment_gap({x.get(vertices[0]), x.get(vertices[1]), x.get(vertices[2]), x.get(vertices[3])});
   return {vertices, gap.weights, gap.normal, law.thickness - gap.distance, law.at(gap.distance)};
+}
+
+/// What comes nearer than this part of its first distance has passed through.
+constexpr double vanishing = 1e-6;
+
+double free_part_of_pair(const EdgePair& pair, std::span<const Eigen::Vector3d> from,
+                         std::span<const Eigen::Vector3d> to, double kept_part) {
+  const auto vertices_of = [&](std::span<const Eigen::Vector3d> at) {
+    return std::array{at[pair.first], at[pair.first + 1], at[pair.second], at[pair.second + 1]};
+  };
+  const auto start = vertices_of(from);
+  const double distance = segment_gap(start).distance;
+  return free_part_of_segments(start, vertices_of(to), kept_part * distance);
 }
 
 }  // namespace
@@ -51,6 +65,9 @@ Schema<FclStageParameters> FclStageParameters::schema() {
       .key("sticking_speed", &P::sticking_speed, "m/s", positive(),
            "friction grows up to this relative speed and is full from there on: what should stick "
            "creeps more slowly")
+      .key("audit", &P::audit, "", any_number(),
+           "whether every step is checked for strands that passed through each other and vertices "
+           "inside of colliders: the columns crossings and collider_depth of metrics.csv")
       .key("margin", &P::margin, "m", at_least(0),
            "candidates are collected this much further than the thickness, so that they last while "
            "strands move; half the thickness if absent")
@@ -84,6 +101,7 @@ void FclStage::bind(const Strands& strands, const StrandGroups& groups, const Mo
   chunks_ = make_edge_chunks(strands);
   collider_contacts_.bind(chunks_, motions);
   positions_.resize(strands.vertex_count());
+  if (parameters_.audit || response_->is_barrier()) swept_pairs_.emplace(chunks_);
   if (!parameters_.strand_contacts) return;
   rule_.emplace(strands, *parameters_.arc_distance);
   detector_ = parameters_.detector.make();
@@ -109,6 +127,10 @@ void FclStage::begin_step(const VertexField& x_n, double time_end, double dt) {
   collider_contacts_.move_to(time_end, dt);
   if (friction_.is_wanted()) friction_.begin_step(x_n, dt);
   is_new_step_ = true;
+  is_swept_ = false;
+  if (!parameters_.audit) return;
+  gather(x_n);
+  step_start_ = positions_;
 }
 
 void FclStage::detect(const VertexField& x) {
@@ -117,11 +139,16 @@ void FclStage::detect(const VertexField& x) {
 }
 
 void FclStage::find_candidates(const VertexField& x) {
+  if (std::exchange(is_swept_, false)) return;
   if (parameters_.detect == DetectWhen::step && !is_new_step_) return;
   is_new_step_ = false;
-  parallel_for_each(static_cast<int>(positions_.size()), [&](int v) { positions_[v] = x.get(v); });
+  gather(x);
   if (parameters_.detect == DetectWhen::margin && are_candidates_valid()) return;
   collect_candidates();
+}
+
+void FclStage::gather(const VertexField& x) {
+  parallel_for_each(static_cast<int>(positions_.size()), [&](int v) { positions_[v] = x.get(v); });
 }
 
 // Two edges come nearer to each other by no more than twice what a vertex moves.
@@ -137,10 +164,14 @@ void FclStage::collect_candidates() {
   if (detector_) {
     detector_->find(positions_, parameters_.thickness + *parameters_.margin, pairs_);
     std::erase_if(pairs_, [&](const EdgePair& pair) { return !rule_->allows(pair); });
-    thickness_.assign(pairs_.size(), parameters_.thickness);
-    if (rest_pairs_) rest_pairs_->limit(pairs_, thickness_);
+    limit_thickness();
   }
   collider_contacts_.detect(positions_);
+}
+
+void FclStage::limit_thickness() {
+  thickness_.assign(pairs_.size(), parameters_.thickness);
+  if (rest_pairs_) rest_pairs_->limit(pairs_, thickness_);
 }
 
 void FclStage::evaluate(const VertexField& x) {
@@ -167,6 +198,83 @@ void FclStage::lag_friction(const VertexField& x) {
                                                    x.get(contact.vertices[0])));
     }
   }
+}
+
+void FclStage::end_step(const VertexField& x) {
+  if (!parameters_.audit) return;
+  gather(x);
+  if (rule_) report_.crossings = count_crossings();
+  report_.depth = collider_contacts_.deepest(positions_);
+}
+
+// Moves all of the start as the whole moves towards the end: that brings nothing nearer to
+// anything, and leaves short ways to go.
+void FclStage::bring_to(std::span<const Eigen::Vector3d> end,
+                        std::vector<Eigen::Vector3d>& start) const {
+  Movement movement;
+  movement.start_from(start);
+  const Eigen::Isometry3d common = movement.rigid_part(end);
+  for (auto& p : start) p = common * p;
+}
+
+bool FclStage::can_reach(const VertexField& x_n, VertexField& guess) {
+  if (!response_->is_barrier()) return true;
+  gather(x_n);
+  std::vector<Eigen::Vector3d> start = positions_;
+  gather(guess);
+  collider_contacts_.carry_what_is_hit(start, positions_);
+  for (std::size_t v = 0; v < start.size(); ++v) guess.set(static_cast<int>(v), positions_[v]);
+  if (collider_contacts_.free_part_of_step(start, positions_, vanishing) < 1) return false;
+  if (!rule_) return true;
+  bring_to(positions_, start);
+  pairs_ = swept_pairs_->find(start, positions_, 0, *rule_);
+  movement_ = {};
+  limit_thickness();
+  return free_part(start, positions_, vanishing) == 1;
+}
+
+double FclStage::step_limit(const VertexField& x, const VertexField& d) {
+  if (!response_->is_barrier()) return 1;
+  gather(x);
+  std::vector<Eigen::Vector3d> to(positions_.size());
+  double longest = 0;
+  for (std::size_t v = 0; v < to.size(); ++v) {
+    const Eigen::Vector3d step = d.get(static_cast<int>(v));
+    to[v] = positions_[v] - step;
+    longest = std::max(longest, step.norm());
+  }
+  if (rule_) {
+    pairs_ = swept_pairs_->find(positions_, to, parameters_.thickness, *rule_);
+    limit_thickness();
+  }
+  collider_contacts_.detect(positions_, longest);
+  movement_ = {};
+  is_swept_ = true;
+  return std::min(free_part(positions_, to, 1 - usable_part),
+                  collider_contacts_.free_part(positions_, to, 1 - usable_part));
+}
+
+// The part of straight ways along which no pair comes nearer than a part of its first distance.
+// Pairs that cross at rest may pass through each other.
+double FclStage::free_part(std::span<const Eigen::Vector3d> from,
+                           std::span<const Eigen::Vector3d> to, double kept_part) const {
+  std::vector<double> parts(pairs_.size() + 1, 1.0);
+  parallel_for_each(static_cast<int>(pairs_.size()), [&](int p) {
+    if (thickness_[p] > 0) parts[p] = free_part_of_pair(pairs_[p], from, to, kept_part);
+  });
+  return *std::min_element(parts.begin(), parts.end());
+}
+
+// Pairs that pass through each other on their way from the start of the step, all vertices moving
+// along straight lines as seen from the common motion of them all.
+int FclStage::count_crossings() {
+  bring_to(positions_, step_start_);
+  const std::vector<EdgePair> pairs = swept_pairs_->find(step_start_, positions_, 0, *rule_);
+  std::vector<char> crosses(pairs.size());
+  parallel_for_each(static_cast<int>(pairs.size()), [&](int p) {
+    crosses[p] = free_part_of_pair(pairs[p], step_start_, positions_, vanishing) < 1 ? 1 : 0;
+  });
+  return static_cast<int>(std::count(crosses.begin(), crosses.end(), 1));
 }
 
 double FclStage::add(const VertexField& x, VertexField* gradient, CouplingBlocks* hessian) {

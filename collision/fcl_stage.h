@@ -9,6 +9,7 @@
 #include "collision/friction.h"
 #include "collision/movement.h"
 #include "collision/rest_pairs.h"
+#include "collision/swept_pairs.h"
 #include "core/collision_stage.h"
 #include "core/registry.h"
 
@@ -36,6 +37,7 @@ struct FclStageParameters {
   double friction = 0;
   std::optional<double> collider_friction;
   double sticking_speed = 1e-3;
+  bool audit = false;
   std::optional<double> margin;
   Choice<ContactDetector> detector = "fcl";
   Choice<ContactEnergy> response = "penalty";
@@ -55,14 +57,23 @@ class FclStage final : public CollisionStage {
   std::vector<Pin> pins(const std::vector<Eigen::Vector3d>& positions) const override;
   void set_free(const VertexScalars& free) override;
   void begin_step(const VertexField& x_n, double time_end, double dt) override;
+  bool can_reach(const VertexField& x_n, VertexField& guess) override;
+  double step_limit(const VertexField& x, const VertexField& d) override;
   void detect(const VertexField& x) override;
   double add(const VertexField& x, VertexField* gradient, CouplingBlocks* hessian) override;
+  void end_step(const VertexField& x) override;
   ContactReport report() const override { return report_; }
 
  private:
   bool are_candidates_valid() const;
   void collect_candidates();
   void find_candidates(const VertexField& x);
+  void gather(const VertexField& x);
+  void bring_to(std::span<const Eigen::Vector3d> end, std::vector<Eigen::Vector3d>& start) const;
+  int count_crossings();
+  void limit_thickness();
+  double free_part(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
+                   double kept_part) const;
   void evaluate(const VertexField& x);
   void lag_friction(const VertexField& x);
 
@@ -74,6 +85,7 @@ class FclStage final : public CollisionStage {
   std::optional<ContactRule> rule_;
   std::unique_ptr<ContactDetector> detector_;  // null: strands do not feel each other
   bool is_new_step_ = true;
+  bool is_swept_ = false;                   // candidates are those of the way that led here
   Movement movement_;                       // since candidates were collected
   std::vector<Eigen::Vector3d> positions_;  // of the last detect()
   std::optional<RestPairs> rest_pairs_;     // absent: pairs push at rest too
@@ -81,6 +93,8 @@ class FclStage final : public CollisionStage {
   std::vector<double> thickness_;           // of each pair
   std::vector<Contact> contacts_;           // of the pairs, then of the colliders
   Friction friction_;
+  std::vector<Eigen::Vector3d> step_start_;  // positions
+  std::optional<SweptPairs> swept_pairs_;    // for an audit or a barrier
   ContactReport report_;
 };
 

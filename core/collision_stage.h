@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ struct ContactReport {
   int strand_contacts = 0;    ///< pairs of strand edges closer than the thickness
   int collider_contacts = 0;  ///< vertices closer to a collider than the thickness
   double penetration = 0;     ///< deepest violation of the thickness, m
+  /// Of the whole step, by an audit; not a number without one: pairs of edges that passed through
+  /// each other, and how deep, m, a free vertex is inside of a collider at the end.
+  double crossings = std::numeric_limits<double>::quiet_NaN();
+  double depth = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Finds contacts and resists them. A scene that names no collision has no stage at all.
@@ -37,12 +42,21 @@ class CollisionStage {
   /// A step begins: colliders move to their place at the end of the step. x_n are its first
   /// positions.
   virtual void begin_step(const VertexField& x_n, double time_end, double dt) = 0;
+  /// Whether the first guess of the step can be reached from its first positions: whether nothing
+  /// that must not passes through each other as pins and colliders move. Free vertices that a
+  /// collider would hit are moved along with it.
+  virtual bool can_reach(const VertexField& x_n, VertexField& guess) = 0;
+  /// The largest alpha, at most 1, so that nothing that must not passes through each other on the
+  /// way from x to x - alpha d. Until the next detect(), contacts are complete all along this way.
+  virtual double step_limit(const VertexField& x, const VertexField& d) = 0;
   /// Collects candidate pairs near positions x. Called before every Newton iteration.
   virtual void detect(const VertexField& x) = 0;
   /// Returns the contact energy of the candidates at x, J; adds its gradient and its positive
   /// semi-definite Hessian unless null. Results do not depend on the number of threads.
   virtual double add(const VertexField& x, VertexField* gradient, CouplingBlocks* hessian) = 0;
-  /// About the last add().
+  /// The step ends at x.
+  virtual void end_step(const VertexField& x) = 0;
+  /// About the last add(), or, after end_step(), the step.
   virtual ContactReport report() const = 0;
 };
 

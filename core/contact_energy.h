@@ -17,6 +17,9 @@ class ContactEnergy {
   /// Zero, with its slope, from the thickness h, m, on; below it falls with growing distance and is
   /// convex. Proportional to the stiffness, N/m. The distance is negative inside of a collider.
   virtual DistanceEnergy at(double distance, double thickness, double stiffness) const = 0;
+  /// Whether the energy is infinite where the distance is not positive: a step must then stop
+  /// before.
+  virtual bool is_barrier() const = 0;
 };
 
 }  // namespace ringlet

@@ -69,6 +69,8 @@ std::vector<Metric> list_metrics(const std::vector<std::string>& energy_types) {
       {"strand_contacts", [](Sample s) { return s.report.contacts.strand_contacts; }},
       {"collider_contacts", [](Sample s) { return s.report.contacts.collider_contacts; }},
       {"penetration", [](Sample s) { return s.report.contacts.penetration; }},
+      {"crossings", [](Sample s) { return s.report.contacts.crossings; }},
+      {"collider_depth", [](Sample s) { return s.report.contacts.depth; }},
       {"mean_rest_distance", [](Sample s) { return s.rest_distance.mean; }},
       {"max_rest_distance", [](Sample s) { return s.rest_distance.max; }},
       {"detect_ms", [](Sample s) { return 1e3 * s.report.seconds.detect; }},

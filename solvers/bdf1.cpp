@@ -8,6 +8,7 @@
 
 #include "core/integrator.h"
 #include "core/registry.h"
+#include "core/simulation.h"
 #include "solvers/first_guess.h"
 #include "solvers/kinetic_energy.h"
 #include "solvers/newton.h"
@@ -48,6 +49,14 @@ class Bdf1 final : public Integrator {
     if (model.collision) {
       const StageTimer timer(report.seconds.detect);
       model.collision->begin_step(state.positions, time_end, dt_);
+      if (!find_reachable_guess(model, state, time_end)) {
+        report.failure =
+            "strands pass through each other or vertices through a collider as pins and colliders "
+            "move by what they do in this step, which the contact barrier forbids; a smaller dt "
+            "may "
+            "help";
+        return report;
+      }
     }
     newton_.minimise(model, IncrementalPotential(model, target_, dt_), dt_, positions_, report);
     if (!report.failure.empty()) return report;
@@ -60,6 +69,13 @@ class Bdf1 final : public Integrator {
   }
 
  private:
+  /// The first guess, or, if carrying strands takes them through each other, that of pins alone.
+  bool find_reachable_guess(const Model& model, const State& state, double time_end) {
+    if (model.collision->can_reach(state.positions, positions_)) return true;
+    positions_ = state.positions;
+    place_pins(model, time_end, positions_);
+    return model.collision->can_reach(state.positions, positions_);
+  }
   /// y = x + dt v, and x as the first guess.
   void predict(const State& state) {
     parallel_for_each(target_.groups().count(), [&](int g) {

@@ -59,7 +59,11 @@ void Newton::minimise(Model& model, const IncrementalPotential& potential, doubl
     }
   }
   report.energies = assembled_.terms.energies;
-  if (model.collision) report.contacts = model.collision->report();
+  if (model.collision) {
+    const StageTimer timer(report.seconds.detect);
+    model.collision->end_step(x);
+    report.contacts = model.collision->report();
+  }
 }
 
 void Newton::assemble(Model& model, const IncrementalPotential& potential, const VertexField& x,
@@ -96,7 +100,7 @@ Newton::Outcome Newton::iterate(Model& model, const IncrementalPotential& potent
   report.newton_converged =
       !regularised_ && report.newton_update <= parameters_.newton_tolerance * dt;
   if (!parameters_.line_search) {
-    add_scaled(x, -1, direction_);
+    add_scaled(x, -longest_step(model, x), direction_);
   } else if (!search_line(model, potential, x, report)) {
     return Outcome::done;
   }
@@ -149,11 +153,15 @@ void Newton::measure_direction() {
   }
 }
 
+double Newton::longest_step(Model& model, const VertexField& x) {
+  return model.collision ? model.collision->step_limit(x, direction_) : 1;
+}
+
 /// Moves x as far along the direction as the potential falls. False: it does not fall; x is
 /// unchanged.
 bool Newton::search_line(Model& model, const IncrementalPotential& potential, VertexField& x,
                          StepReport& report) {
-  double alpha = 1;
+  double alpha = longest_step(model, x);
   for (int halvings = 0; halvings <= halving_limit; ++halvings, alpha /= 2) {
     parallel_for_each(model.groups.count(), [&](int g) {
       const auto from = x.group(g), d = direction_.group(g), trial = trial_.group(g);

@@ -24,9 +24,10 @@ struct NewtonParameters {
 ///
 /// It stops when no vertex would move by more than newton_tolerance * dt in a whole update (the
 /// velocity at the end of the step is then known to about newton_tolerance), or at the iteration
-/// cap, which the report tells. alpha is 1, or, with the line search, the largest power of 1/2 with
-/// Phi(x - alpha d) <= Phi(x) - c alpha d^T grad Phi (Armijo; Nocedal, Wright: Numerical
-/// Optimization, algorithm 3.1); a value that is not finite is never accepted.
+/// cap, which the report tells. alpha is 1, or what the collision stage allows; with the line
+/// search that times the largest power of 1/2 with Phi(x - alpha d) <= Phi(x) - c alpha d^T grad
+/// Phi (Armijo; Nocedal, Wright: Numerical Optimization, algorithm 3.1); a value that is not finite
+/// is never accepted.
 class Newton {
  public:
   explicit Newton(const NewtonParameters& parameters) : parameters_(parameters) {}
@@ -50,6 +51,8 @@ class Newton {
                       double dt, StepReport& report);
   bool solve(LinearSolver& solver, StepReport& report);
   void measure_direction();
+  /// The alpha with which the line search begins.
+  double longest_step(Model& model, const VertexField& x);
   bool search_line(Model& model, const IncrementalPotential& potential, VertexField& x,
                    StepReport& report);
   bool try_next_iteration(Model& model, const IncrementalPotential& potential, VertexField& x,

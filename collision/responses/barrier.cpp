@@ -31,6 +31,7 @@ class Barrier final : public ContactEnergy {
             -0.5 * stiffness * less * (2 * logarithm + ratio),
             -0.5 * stiffness * (2 * logarithm + 4 * ratio - ratio * ratio)};
   }
+  bool is_barrier() const override { return true; }
 };
 
 }  // namespace

@@ -18,6 +18,7 @@ class Penalty final : public ContactEnergy {
     if (!(depth > 0)) return {};
     return {0.5 * stiffness * depth * depth, -stiffness * depth, stiffness};
   }
+  bool is_barrier() const override { return false; }
 };
 
 }  // namespace

@@ -1,0 +1,93 @@
+#include "collision/continuous.h"
+#include "collision/segment_distance.h"
+#include "collision/swept_pairs.h"
+#include "tests/catch.h"
+#include "tests/collision/random_strands.h"
+
+using namespace ringlet;
+
+namespace {
+
+using Segments = std::array<Eigen::Vector3d, 4>;
+
+double distance_at(const Segments& from, const Segments& to, double part) {
+  const auto at = [&](int i) { return from_eigen((1 - part) * from[i] + part * to[i]); };
+  return std::sqrt(closest_points(at(0), at(1), at(2), at(3)).squared_distance);
+}
+
+}  // namespace
+
+TEST_CASE("two segments are free to move until they meet") {
+  const Segments from{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0.5}, {0, 1, 0.5}}};
+  Segments to = from;
+  for (const int i : {2, 3}) to[i].z() = -0.5;
+  CHECK(free_part_of_segments(from, to, 1e-9) == Approx(0.5).epsilon(1e-6));
+  CHECK(free_part_of_segments(from, to, 0.1) > 0.4);
+  CHECK(free_part_of_segments(from, to, 0.1) < 0.5);
+  CHECK(free_part_of_segments(from, from, 1e-9) == 1);
+  CHECK(free_part_of_segments(to, to, 1) == 0);
+  Segments both_move = to;
+  for (auto& p : both_move) p += Eigen::Vector3d(3, 4, 5);
+  CHECK(free_part_of_segments(from, both_move, 1e-9) == Approx(0.5).epsilon(1e-6));
+  for (const int i : {2, 3}) to[i].z() = 0.01;
+  CHECK(free_part_of_segments(from, to, 1e-9) == 1);
+}
+
+TEST_CASE("within their free part, random segments stay apart") {
+  const unsigned seed = 53;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  int blocked = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    Segments from, to;
+    for (auto& p : from) p = random_point(random, 1);
+    for (auto& p : to) p = random_point(random, 1);
+    const double floor = 0.1 * distance_at(from, to, 0);
+    const double part = free_part_of_segments(from, to, floor);
+    if (part < 1) ++blocked;
+    double least = 1;
+    for (int i = 0; i <= 1000; ++i) least = std::min(least, distance_at(from, to, i * part / 1000));
+    CHECK(least > 0);
+    // Where nothing came near, nothing was blocked.
+    double whole = 1;
+    for (int i = 0; i <= 1000; ++i) whole = std::min(whole, distance_at(from, to, i / 1000.0));
+    if (whole > 1.01 * floor) CHECK(part == 1);
+  }
+  CHECK(blocked > 20);
+}
+
+TEST_CASE("every pair of edges that comes near on the way is found") {
+  std::mt19937 random(59);
+  const Strands strands = random_bundle(random, 20);
+  const std::vector<EdgeChunk> chunks = make_edge_chunks(strands);
+  const ContactRule rule(strands, 2e-3);
+  const Points from = rest_positions(strands);
+  Points to;
+  std::vector<Eigen::Vector3d> drift(strands.count());
+  for (auto& d : drift) d = random_point(random, 5e-3);
+  for (int v = 0; v < strands.vertex_count(); ++v)
+    to.push_back(from[v] + drift[strands.strand_of(v)]);
+
+  SweptPairs swept(chunks);
+  swept.find(to, from, 0, rule);  // the second search refits
+  const std::vector<EdgePair> pairs = swept.find(from, to, 1e-3, rule);
+  CHECK(std::is_sorted(pairs.begin(), pairs.end()));
+  CHECK(std::adjacent_find(pairs.begin(), pairs.end()) == pairs.end());
+  int near = 0;
+  const auto is_edge = [&](int v) {
+    return v + 1 < strands.vertex_count() && strands.strand_of(v) == strands.strand_of(v + 1);
+  };
+  for (int a = 0; a < strands.vertex_count(); ++a) {
+    for (int b = a + 1; b < strands.vertex_count(); ++b) {
+      if (!is_edge(a) || !is_edge(b) || !rule.allows({a, b})) continue;
+      const Segments begin{from[a], from[a + 1], from[b], from[b + 1]};
+      const Segments end{to[a], to[a + 1], to[b], to[b + 1]};
+      bool comes_near = false;
+      for (int i = 0; i <= 20; ++i) comes_near |= distance_at(begin, end, i / 20.0) < 1e-3;
+      if (!comes_near) continue;
+      ++near;
+      CHECK(std::binary_search(pairs.begin(), pairs.end(), EdgePair{a, b}));
+    }
+  }
+  CHECK(near > 10);
+}
