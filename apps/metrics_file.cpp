@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <cmath>
+
 #include "core/error.h"
 
 namespace ringlet {
@@ -14,7 +16,11 @@ MetricsFile::MetricsFile(const std::filesystem::path& path, std::span<const Metr
 }
 
 void MetricsFile::append(std::span<const double> row) {
-  write_line(fmt::format("{}\n", fmt::join(row, ",")));
+  std::vector<std::string> cells;
+  for (const double value : row) {
+    cells.push_back(std::isnan(value) ? "" : fmt::format("{}", value));
+  }
+  write_line(fmt::format("{}\n", fmt::join(cells, ",")));
 }
 
 void MetricsFile::write_line(const std::string& line) {

@@ -14,6 +14,7 @@ class MetricsFile {
  public:
   /// Throws Error if the file cannot be written; append() does, too.
   MetricsFile(const std::filesystem::path& path, std::span<const Metric> metrics);
+  /// What was not measured, not a number, leaves its cell empty.
   void append(std::span<const double> row);
 
  private:

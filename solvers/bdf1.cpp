@@ -51,10 +51,8 @@ class Bdf1 final : public Integrator {
       model.collision->begin_step(state.positions, time_end, dt_);
       if (!find_reachable_guess(model, state, time_end)) {
         report.failure =
-            "strands pass through each other or vertices through a collider as pins and colliders "
-            "move by what they do in this step, which the contact barrier forbids; a smaller dt "
-            "may "
-            "help";
+            "as pins and colliders move in this step, strands pass through each other or vertices "
+            "through a collider, which the contact barrier forbids; a smaller dt may help";
         return report;
       }
     }

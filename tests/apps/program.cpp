@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <fstream>
 #include <sstream>
@@ -105,7 +106,7 @@ std::map<std::string, std::vector<double>> read_metrics(const fs::path& path) {
       if (is_head) {
         names.push_back(cell);
       } else {
-        columns[names.at(column)].push_back(std::stod(cell));
+        columns[names.at(column)].push_back(cell.empty() ? std::nan("") : std::stod(cell));
       }
     }
     if (column != names.size()) throw std::runtime_error("a ragged line in " + path.string());

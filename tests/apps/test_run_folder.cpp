@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "tests/apps/program.h"
 #include "tests/catch.h"
 
@@ -39,11 +41,14 @@ TEST_CASE("metrics and summary tell what happened") {
         "step,time,newton_iterations,newton_converged,newton_update,linear_iterations,"
         "linear_converged,linear_residual,line_search_halvings,kinetic_energy,energy_stretch,"
         "energy_bending,energy_bending_2,contacts,strand_contacts,collider_contacts,penetration,"
+        "crossings,collider_depth,"
         "mean_rest_distance,max_rest_distance,detect_ms,evaluate_ms,solve_ms,line_search_ms,"
         "step_ms");
   const auto metrics = read_metrics(place.folder() / "out/metrics.csv");
   CHECK(metrics.at("step") == std::vector<double>{1, 2, 3, 4, 5, 6});
   CHECK(metrics.at("time").back() == Approx(0.2));
+  CHECK(std::isnan(metrics.at("crossings").back()));
+  CHECK(text.find("nan") == std::string::npos);
   CHECK(metrics.at("energy_bending").back() > 0);
   CHECK(metrics.at("energy_bending").back() == metrics.at("energy_bending_2").back());
   CHECK(metrics.at("mean_rest_distance").back() > metrics.at("mean_rest_distance").front());
