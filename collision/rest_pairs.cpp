@@ -7,6 +7,7 @@
 namespace ringlet {
 namespace {
 
+/// Relative; so that rounding of a distance at rest is no contact.
 constexpr double slack = 1e-6;
 
 }  // namespace

@@ -102,8 +102,8 @@ void bench_limits(const Registry& registry, const BenchOptions& options, BenchOu
   constexpr double milli = 1e-3, giga = 1e9, percent = 1e-2;
   output.start_table(
       "Limits of this machine (multiply-adds of two operations in registers; y += s x in memory "
-      "and "
-      "within 256 KB a thread), and what evaluation with factorisation and substitution reaches: "
+      "and within 256 KB a thread), and what evaluation with factorisation and substitution "
+      "reaches: "
       "the hairball without contacts, one Newton iteration",
       {{"what", "/name"},
        {"threads", "/parameters/threads"},
