@@ -23,19 +23,6 @@ Contact evaluate_pair(const EdgePair& pair, const VertexField& x, const ContactL
   return {vertices, gap.weights, gap.normal, law.thickness - gap.distance, law.at(gap.distance)};
 }
 
-/// What comes nearer than this part of its first distance has passed through.
-constexpr double vanishing = 1e-6;
-
-double free_part_of_pair(const EdgePair& pair, std::span<const Eigen::Vector3d> from,
-                         std::span<const Eigen::Vector3d> to, double kept_part) {
-  const auto vertices_of = [&](std::span<const Eigen::Vector3d> at) {
-    return std::array{at[pair.first], at[pair.first + 1], at[pair.second], at[pair.second + 1]};
-  };
-  const auto start = vertices_of(from);
-  const double distance = segment_gap(start).distance;
-  return free_part_of_segments(start, vertices_of(to), kept_part * distance);
-}
-
 }  // namespace
 
 Schema<FclStageParameters> FclStageParameters::schema() {
@@ -101,12 +88,16 @@ void FclStage::bind(const Strands& strands, const StrandGroups& groups, const Mo
   chunks_ = make_edge_chunks(strands);
   collider_contacts_.bind(chunks_, motions);
   positions_.resize(strands.vertex_count());
-  if (parameters_.audit || response_->is_barrier()) swept_pairs_.emplace(chunks_);
-  if (!parameters_.strand_contacts) return;
+  if (parameters_.strand_contacts) bind_strand_contacts(strands);
+  if (parameters_.audit) audit_.emplace(continuous_ ? &*continuous_ : nullptr, collider_contacts_);
+}
+
+void FclStage::bind_strand_contacts(const Strands& strands) {
   rule_.emplace(strands, *parameters_.arc_distance);
   detector_ = parameters_.detector.make();
   detector_->bind(strands);
   if (!parameters_.push_at_rest) rest_pairs_.emplace(strands, *detector_, parameters_.thickness);
+  if (parameters_.audit || response_->is_barrier()) continuous_.emplace(chunks_, *rule_);
 }
 
 std::vector<Pin> FclStage::pins(const std::vector<Eigen::Vector3d>& positions) const {
@@ -128,9 +119,9 @@ void FclStage::begin_step(const VertexField& x_n, double time_end, double dt) {
   if (friction_.is_wanted()) friction_.begin_step(x_n, dt);
   is_new_step_ = true;
   is_swept_ = false;
-  if (!parameters_.audit) return;
+  if (!audit_) return;
   gather(x_n);
-  step_start_ = positions_;
+  audit_->begin_step(positions_);
 }
 
 void FclStage::detect(const VertexField& x) {
@@ -201,20 +192,9 @@ void FclStage::lag_friction(const VertexField& x) {
 }
 
 void FclStage::end_step(const VertexField& x) {
-  if (!parameters_.audit) return;
+  if (!audit_) return;
   gather(x);
-  if (rule_) report_.crossings = count_crossings();
-  report_.depth = collider_contacts_.deepest(positions_);
-}
-
-// Moves all of the start as the whole moves towards the end: that brings nothing nearer to
-// anything, and leaves short ways to go.
-void FclStage::bring_to(std::span<const Eigen::Vector3d> end,
-                        std::vector<Eigen::Vector3d>& start) const {
-  Movement movement;
-  movement.start_from(start);
-  const Eigen::Isometry3d common = movement.rigid_part(end);
-  for (auto& p : start) p = common * p;
+  audit_->end_step(positions_, report_);
 }
 
 bool FclStage::can_reach(const VertexField& x_n, VertexField& guess) {
@@ -225,12 +205,12 @@ bool FclStage::can_reach(const VertexField& x_n, VertexField& guess) {
   collider_contacts_.carry_what_is_hit(start, positions_);
   for (std::size_t v = 0; v < start.size(); ++v) guess.set(static_cast<int>(v), positions_[v]);
   if (collider_contacts_.free_part_of_step(start, positions_, vanishing) < 1) return false;
-  if (!rule_) return true;
+  if (!continuous_) return true;
   bring_to(positions_, start);
-  pairs_ = swept_pairs_->find(start, positions_, 0, *rule_);
+  pairs_ = continuous_->find(start, positions_, 0);
   movement_ = {};
   limit_thickness();
-  return free_part(start, positions_, vanishing) == 1;
+  return free_part_of_pairs(pairs_, thickness_, start, positions_, vanishing) == 1;
 }
 
 double FclStage::step_limit(const VertexField& x, const VertexField& d) {
@@ -243,38 +223,15 @@ double FclStage::step_limit(const VertexField& x, const VertexField& d) {
     to[v] = positions_[v] - step;
     longest = std::max(longest, step.norm());
   }
-  if (rule_) {
-    pairs_ = swept_pairs_->find(positions_, to, parameters_.thickness, *rule_);
+  if (continuous_) {
+    pairs_ = continuous_->find(positions_, to, parameters_.thickness);
     limit_thickness();
   }
   collider_contacts_.detect(positions_, longest);
   movement_ = {};
   is_swept_ = true;
-  return std::min(free_part(positions_, to, 1 - usable_part),
+  return std::min(free_part_of_pairs(pairs_, thickness_, positions_, to, 1 - usable_part),
                   collider_contacts_.free_part(positions_, to, 1 - usable_part));
-}
-
-// The part of straight ways along which no pair comes nearer than a part of its first distance.
-// Pairs that cross at rest may pass through each other.
-double FclStage::free_part(std::span<const Eigen::Vector3d> from,
-                           std::span<const Eigen::Vector3d> to, double kept_part) const {
-  std::vector<double> parts(pairs_.size() + 1, 1.0);
-  parallel_for_each(static_cast<int>(pairs_.size()), [&](int p) {
-    if (thickness_[p] > 0) parts[p] = free_part_of_pair(pairs_[p], from, to, kept_part);
-  });
-  return *std::min_element(parts.begin(), parts.end());
-}
-
-// Pairs that pass through each other on their way from the start of the step, all vertices moving
-// along straight lines as seen from the common motion of them all.
-int FclStage::count_crossings() {
-  bring_to(positions_, step_start_);
-  const std::vector<EdgePair> pairs = swept_pairs_->find(step_start_, positions_, 0, *rule_);
-  std::vector<char> crosses(pairs.size());
-  parallel_for_each(static_cast<int>(pairs.size()), [&](int p) {
-    crosses[p] = free_part_of_pair(pairs[p], step_start_, positions_, vanishing) < 1 ? 1 : 0;
-  });
-  return static_cast<int>(std::count(crosses.begin(), crosses.end(), 1));
 }
 
 double FclStage::add(const VertexField& x, VertexField* gradient, CouplingBlocks* hessian) {

@@ -4,12 +4,13 @@
 #include <optional>
 #include <vector>
 
+#include "collision/audit.h"
 #include "collision/collider_contacts.h"
 #include "collision/contact_rule.h"
+#include "collision/continuous_detection.h"
 #include "collision/friction.h"
 #include "collision/movement.h"
 #include "collision/rest_pairs.h"
-#include "collision/swept_pairs.h"
 #include "core/collision_stage.h"
 #include "core/registry.h"
 
@@ -65,15 +66,12 @@ class FclStage final : public CollisionStage {
   ContactReport report() const override { return report_; }
 
  private:
+  void bind_strand_contacts(const Strands& strands);
   bool are_candidates_valid() const;
   void collect_candidates();
   void find_candidates(const VertexField& x);
   void gather(const VertexField& x);
-  void bring_to(std::span<const Eigen::Vector3d> end, std::vector<Eigen::Vector3d>& start) const;
-  int count_crossings();
   void limit_thickness();
-  double free_part(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
-                   double kept_part) const;
   void evaluate(const VertexField& x);
   void lag_friction(const VertexField& x);
 
@@ -93,8 +91,8 @@ class FclStage final : public CollisionStage {
   std::vector<double> thickness_;           // of each pair
   std::vector<Contact> contacts_;           // of the pairs, then of the colliders
   Friction friction_;
-  std::vector<Eigen::Vector3d> step_start_;  // positions
-  std::optional<SweptPairs> swept_pairs_;    // for an audit or a barrier
+  std::optional<ContinuousDetection> continuous_;  // of strands, for an audit or a barrier
+  std::optional<Audit> audit_;
   ContactReport report_;
 };
 

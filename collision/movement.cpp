@@ -45,4 +45,11 @@ bool Movement::is_within(double distance, std::span<const Eigen::Vector3d> posit
   return std::find(within.begin(), within.end(), 0) == within.end();
 }
 
+void bring_to(std::span<const Eigen::Vector3d> end, std::vector<Eigen::Vector3d>& start) {
+  Movement movement;
+  movement.start_from(start);
+  const Eigen::Isometry3d common = movement.rigid_part(end);
+  for (auto& p : start) p = common * p;
+}
+
 }  // namespace ringlet

@@ -23,4 +23,8 @@ class Movement {
   std::vector<Eigen::Vector3d> start_;
 };
 
+/// Moves all of the start by the rigid motion that brings it close to the end: that brings nothing
+/// nearer to anything, and leaves short ways to go.
+void bring_to(std::span<const Eigen::Vector3d> end, std::vector<Eigen::Vector3d>& start);
+
 }  // namespace ringlet

@@ -36,3 +36,18 @@ TEST_CASE("the rigid part of a movement of few points, or of none, is a rigid mo
     CHECK(movement.is_within(1e-12, start, movement.rigid_part(start)));
   }
 }
+
+TEST_CASE("what is brought to an end by the common motion has only its own way left to go") {
+  std::mt19937 random(61);
+  Points start(300), end;
+  for (auto& p : start) p = random_point(random, 1);
+  const Eigen::Isometry3d turn(Eigen::Translation3d(1, 2, -3) *
+                               Eigen::AngleAxisd(1, Eigen::Vector3d::UnitY()));
+  for (const auto& p : start) end.push_back(turn * (p + random_point(random, 1e-3)));
+  const Points first = start;
+  bring_to(end, start);
+  for (std::size_t v = 0; v < start.size(); ++v) {
+    CHECK((start[v] - end[v]).norm() < 3e-3);
+    CHECK((start[v] - start[0]).norm() == Approx((first[v] - first[0]).norm()));
+  }
+}

@@ -1,0 +1,44 @@
+#include "collision/continuous_detection.h"
+
+#include <algorithm>
+
+#include "collision/contact.h"
+#include "collision/continuous.h"
+#include "core/parallel.h"
+
+namespace ringlet {
+namespace {
+
+double free_part_of_pair(const EdgePair& pair, std::span<const Eigen::Vector3d> from,
+                         std::span<const Eigen::Vector3d> to, double kept_part) {
+  const auto vertices_of = [&](std::span<const Eigen::Vector3d> at) {
+    return std::array{at[pair.first], at[pair.first + 1], at[pair.second], at[pair.second + 1]};
+  };
+  const auto start = vertices_of(from);
+  const double distance = segment_gap(start).distance;
+  return free_part_of_segments(start, vertices_of(to), kept_part * distance);
+}
+
+}  // namespace
+
+int ContinuousDetection::count_crossings(std::span<const Eigen::Vector3d> from,
+                                         std::span<const Eigen::Vector3d> to) {
+  const std::vector<EdgePair> pairs = find(from, to, 0);
+  std::vector<char> crosses(pairs.size());
+  parallel_for_each(static_cast<int>(pairs.size()), [&](int p) {
+    crosses[p] = free_part_of_pair(pairs[p], from, to, vanishing) < 1 ? 1 : 0;
+  });
+  return static_cast<int>(std::count(crosses.begin(), crosses.end(), 1));
+}
+
+double free_part_of_pairs(std::span<const EdgePair> pairs, std::span<const double> thickness,
+                          std::span<const Eigen::Vector3d> from,
+                          std::span<const Eigen::Vector3d> to, double kept_part) {
+  std::vector<double> parts(pairs.size() + 1, 1.0);
+  parallel_for_each(static_cast<int>(pairs.size()), [&](int p) {
+    if (thickness[p] > 0) parts[p] = free_part_of_pair(pairs[p], from, to, kept_part);
+  });
+  return *std::min_element(parts.begin(), parts.end());
+}
+
+}  // namespace ringlet
