@@ -173,13 +173,13 @@ void ColliderContacts::detect(std::span<const Eigen::Vector3d> positions,
   }
 }
 
-void ColliderContacts::evaluate(const VertexField& x, std::span<Contact> contacts) const {
-  parallel_for_each(static_cast<int>(batches_.size()),
-                    [&](int b) { evaluate_batch(batches_[b], x, contacts); });
+void ColliderContacts::evaluate(const VertexField& x, Touching& touching) const {
+  touching.collect(static_cast<int>(batches_.size()),
+                   [&](int b, auto& found) { evaluate_batch(batches_[b], x, found); });
 }
 
 void ColliderContacts::evaluate_batch(const Batch& batch, const VertexField& x,
-                                      std::span<Contact> contacts) const {
+                                      std::vector<Touching::Found>& touching) const {
   const Eigen::Isometry3d& placement = placements_[batch.collider];
   const Eigen::Isometry3d to_collider = placement.inverse();
   Neighbourhood neighbourhood;
@@ -189,14 +189,15 @@ void ColliderContacts::evaluate_batch(const Batch& batch, const VertexField& x,
   }
   neighbourhood.ask(*colliders_[batch.collider], count, law_.thickness);
   for (int n = 0; n < count; ++n) {
-    const int vertex = vertices_[batch.begin + n];
-    Contact& contact = contacts[batch.begin + n];
-    contact = {{vertex, vertex, vertex, vertex}, {1, 0, 0, 0}, Eigen::Vector3d::UnitX(), 0, {}};
     const auto& found = neighbourhood.found[n];
-    if (!found) continue;
-    contact.normal = placement.linear() * found->normal;
-    contact.depth = law_.thickness - found->distance;
-    contact.energy = law_.at(found->distance);
+    if (!found || !(found->distance < law_.thickness)) continue;
+    const int vertex = vertices_[batch.begin + n];
+    touching.push_back({batch.begin + n,
+                        {{vertex, vertex, vertex, vertex},
+                         {1, 0, 0, 0},
+                         placement.linear() * found->normal,
+                         law_.thickness - found->distance,
+                         law_.at(found->distance)}});
   }
 }
 

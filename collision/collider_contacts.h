@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "collision/contact.h"
 #include "collision/contact_law.h"
 #include "collision/edge_chunks.h"
 #include "collision/movement.h"
+#include "collision/touching.h"
 #include "core/collider.h"
 #include "core/collision_stage.h"
 
@@ -47,8 +47,8 @@ class ColliderContacts {
   double deepest(std::span<const Eigen::Vector3d> positions) const;
   /// How far, m, the collider of a candidate has moved a point of it since the step began.
   Eigen::Vector3d displacement(int candidate, const Eigen::Vector3d& point) const;
-  /// Contacts of all candidates.
-  void evaluate(const VertexField& x, std::span<Contact> contacts) const;
+  /// Which candidates touch at x.
+  void evaluate(const VertexField& x, Touching& touching) const;
 
  private:
   /// Candidates that a collider is asked about together.
@@ -56,7 +56,8 @@ class ColliderContacts {
     int collider;
     int begin, end;  // in vertices_
   };
-  void evaluate_batch(const Batch& batch, const VertexField& x, std::span<Contact> contacts) const;
+  void evaluate_batch(const Batch& batch, const VertexField& x,
+                      std::vector<Touching::Found>& found) const;
   double free_part(int collider, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                    double kept_part) const;
   /// Of a chunk's own vertices, those nearer to a collider than reach.

@@ -18,15 +18,6 @@ Vector3<double> crossing_normal(const Vector3<double>& d, const Vector3<double>&
 
 }  // namespace
 
-void Contact::add(VertexField* gradient, CouplingBlocks* hessian) const {
-  for (int i = 0; i < 4 && gradient != nullptr; ++i) {
-    if (weights[i] != 0) gradient->add(vertices[i], energy.slope * weights[i] * normal);
-  }
-  if (hessian != nullptr) {
-    hessian->add(vertices, weights, energy.curvature * normal * normal.transpose());
-  }
-}
-
 SegmentGap segment_gap(const std::array<Eigen::Vector3d, 4>& vertices) {
   const Vector3<double> p0 = from_eigen(vertices[0]), p1 = from_eigen(vertices[1]);
   const Vector3<double> q0 = from_eigen(vertices[2]), q1 = from_eigen(vertices[3]);

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "core/contact_energy.h"
-#include "core/coupling_blocks.h"
+#include "core/couplings.h"
 #include "core/vertex_field.h"
 
 namespace ringlet {
@@ -23,9 +23,10 @@ struct Contact {
   double depth;                   ///< thickness minus distance, m
   DistanceEnergy energy;
 
-  bool touches() const { return depth > 0; }
-  /// Adds gradient and Hessian unless null.
-  void add(VertexField* gradient, CouplingBlocks* hessian) const;
+  CouplingTerm term() const {
+    return {vertices, weights, energy.slope * normal,
+            energy.curvature * normal * normal.transpose()};
+  }
 };
 
 /// The distance of two segments p0 p1 and q0 q1, its derivative with respect to their vertices, in

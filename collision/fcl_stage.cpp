@@ -16,11 +16,12 @@ std::vector<std::unique_ptr<Collider>> make_all(const std::vector<Choice<Collide
   return colliders;
 }
 
-Contact evaluate_pair(const EdgePair& pair, const VertexField& x, const ContactLaw& law) {
-  const std::array<int, 4> vertices{pair.first, pair.first + 1, pair.second, pair.second + 1};
-  const SegmentGap gap =
-      segment_gap({x.get(vertices[0]), x.get(vertices[1]), x.get(vertices[2]), x.get(vertices[3])});
-  return {vertices, gap.weights, gap.normal, law.thickness - gap.distance, law.at(gap.distance)};
+/// Candidate pairs that are looked at together.
+constexpr int pairs_a_part = 128;
+
+SegmentGap gap_of(const EdgePair& pair, const VertexField& x) {
+  return segment_gap(
+      {x.get(pair.first), x.get(pair.first + 1), x.get(pair.second), x.get(pair.second + 1)});
 }
 
 }  // namespace
@@ -166,29 +167,38 @@ void FclStage::limit_thickness() {
 }
 
 void FclStage::evaluate(const VertexField& x) {
-  contacts_.resize(pairs_.size() + collider_contacts_.candidate_count());
-  parallel_for_each(static_cast<int>(pairs_.size()), [&](int p) {
-    contacts_[p] =
-        evaluate_pair(pairs_[p], x, {response_.get(), thickness_[p], parameters_.stiffness});
+  const int pairs = static_cast<int>(pairs_.size());
+  strand_contacts_.collect((pairs + pairs_a_part - 1) / pairs_a_part, [&](int part, auto& found) {
+    const int end = std::min(pairs, (part + 1) * pairs_a_part);
+    for (int p = part * pairs_a_part; p < end; ++p) add_if_touching(p, x, found);
   });
-  collider_contacts_.evaluate(x, std::span(contacts_).subspan(pairs_.size()));
+  collider_contacts_.evaluate(x, touched_colliders_);
+}
+
+void FclStage::add_if_touching(int p, const VertexField& x,
+                               std::vector<Touching::Found>& found) const {
+  const ContactLaw law{response_.get(), thickness_[p], parameters_.stiffness};
+  const EdgePair& pair = pairs_[p];
+  const SegmentGap gap = gap_of(pair, x);
+  if (gap.distance >= law.thickness) return;
+  found.push_back({p,
+                   {{pair.first, pair.first + 1, pair.second, pair.second + 1},
+                    gap.weights,
+                    gap.normal,
+                    law.thickness - gap.distance,
+                    law.at(gap.distance)}});
 }
 
 // Friction is that of the forces, normals and closest points at x, until the next iteration.
 void FclStage::lag_friction(const VertexField& x) {
   evaluate(x);
   friction_.clear();
-  for (std::size_t n = 0; n < contacts_.size(); ++n) {
-    const Contact& contact = contacts_[n];
-    if (!contact.touches()) continue;
-    if (n < pairs_.size()) {
-      friction_.add_strand_contact(contact);
-    } else {
-      friction_.add_collider_contact(
-          contact, collider_contacts_.displacement(static_cast<int>(n - pairs_.size()),
-                                                   x.get(contact.vertices[0])));
-    }
-  }
+  strand_contacts_.for_each(
+      [&](int, const Contact& contact) { friction_.add_strand_contact(contact); });
+  touched_colliders_.for_each([&](int candidate, const Contact& contact) {
+    friction_.add_collider_contact(
+        contact, collider_contacts_.displacement(candidate, x.get(contact.vertices[0])));
+  });
 }
 
 void FclStage::end_step(const VertexField& x) {
@@ -234,19 +244,16 @@ double FclStage::step_limit(const VertexField& x, const VertexField& d) {
                   collider_contacts_.free_part(positions_, to, 1 - usable_part));
 }
 
-double FclStage::add(const VertexField& x, VertexField* gradient, CouplingBlocks* hessian) {
+double FclStage::add(const VertexField& x, Couplings* couplings) {
   evaluate(x);
-  report_ = {};
-  double energy = 0;
-  for (std::size_t n = 0; n < contacts_.size(); ++n) {
-    const Contact& contact = contacts_[n];
-    if (!contact.touches()) continue;
-    energy += contact.energy.value;
-    contact.add(gradient, hessian);
-    ++(n < pairs_.size() ? report_.strand_contacts : report_.collider_contacts);
-    report_.penetration = std::max(report_.penetration, contact.depth);
+  report_ = {.strand_contacts = strand_contacts_.count(),
+             .collider_contacts = touched_colliders_.count(),
+             .penetration = std::max(strand_contacts_.depth(), touched_colliders_.depth())};
+  if (couplings != nullptr) {
+    strand_contacts_.add_terms(*couplings);
+    touched_colliders_.add_terms(*couplings);
   }
-  return energy + friction_.add(x, gradient, hessian);
+  return strand_contacts_.energy() + touched_colliders_.energy() + friction_.add(x, couplings);
 }
 
 void register_fcl_stage(Registry& registry);

@@ -11,6 +11,7 @@
 #include "collision/friction.h"
 #include "collision/movement.h"
 #include "collision/rest_pairs.h"
+#include "collision/touching.h"
 #include "core/collision_stage.h"
 #include "core/registry.h"
 
@@ -61,7 +62,7 @@ class FclStage final : public CollisionStage {
   bool can_reach(const VertexField& x_n, VertexField& guess) override;
   double step_limit(const VertexField& x, const VertexField& d) override;
   void detect(const VertexField& x) override;
-  double add(const VertexField& x, VertexField* gradient, CouplingBlocks* hessian) override;
+  double add(const VertexField& x, Couplings* couplings) override;
   void end_step(const VertexField& x) override;
   ContactReport report() const override { return report_; }
 
@@ -73,6 +74,7 @@ class FclStage final : public CollisionStage {
   void gather(const VertexField& x);
   void limit_thickness();
   void evaluate(const VertexField& x);
+  void add_if_touching(int pair, const VertexField& x, std::vector<Touching::Found>& found) const;
   void lag_friction(const VertexField& x);
 
   FclStageParameters parameters_;
@@ -83,13 +85,13 @@ class FclStage final : public CollisionStage {
   std::optional<ContactRule> rule_;
   std::unique_ptr<ContactDetector> detector_;  // null: strands do not feel each other
   bool is_new_step_ = true;
-  bool is_swept_ = false;                   // candidates are those of the way that led here
-  Movement movement_;                       // since candidates were collected
-  std::vector<Eigen::Vector3d> positions_;  // of the last detect()
-  std::optional<RestPairs> rest_pairs_;     // absent: pairs push at rest too
-  std::vector<EdgePair> pairs_;             // candidates
-  std::vector<double> thickness_;           // of each pair
-  std::vector<Contact> contacts_;           // of the pairs, then of the colliders
+  bool is_swept_ = false;                         // candidates are those of the way that led here
+  Movement movement_;                             // since candidates were collected
+  std::vector<Eigen::Vector3d> positions_;        // of the last detect()
+  std::optional<RestPairs> rest_pairs_;           // absent: pairs push at rest too
+  std::vector<EdgePair> pairs_;                   // candidates
+  std::vector<double> thickness_;                 // of each pair
+  Touching strand_contacts_, touched_colliders_;  // at the positions of the last evaluate()
   Friction friction_;
   std::optional<ContinuousDetection> continuous_;  // of strands, for an audit or a barrier
   std::optional<Audit> audit_;

@@ -49,7 +49,7 @@ void Friction::add_contact(const Contact& contact, double coefficient,
                       weighted_sum(contact.vertices, contact.weights, x_n_) + displacement});
 }
 
-double Friction::add(const VertexField& x, VertexField* gradient, CouplingBlocks* hessian) const {
+double Friction::add(const VertexField& x, Couplings* couplings) const {
   double energy = 0;
   for (const Sliding& contact : sliding_) {
     const Eigen::Matrix3d tangential =
@@ -59,21 +59,14 @@ double Friction::add(const VertexField& x, VertexField* gradient, CouplingBlocks
     const double distance = slid.norm();
     const Smoothed f = smoothed_distance(distance, sticking_distance_);
     energy += contact.limit * f.value;
-    if (gradient != nullptr) {
-      for (int i = 0; i < 4; ++i) {
-        if (contact.weights[i] == 0) continue;
-        gradient->add(contact.vertices[i],
-                      contact.limit * f.slope_over_distance * contact.weights[i] * slid);
-      }
+    if (couplings == nullptr) continue;
+    Eigen::Matrix3d curvature = f.slope_over_distance * tangential;
+    if (distance > 0) {
+      const Eigen::Vector3d along = slid / distance;
+      curvature += (f.curvature - f.slope_over_distance) * along * along.transpose();
     }
-    if (hessian != nullptr) {
-      Eigen::Matrix3d curvature = f.slope_over_distance * tangential;
-      if (distance > 0) {
-        const Eigen::Vector3d along = slid / distance;
-        curvature += (f.curvature - f.slope_over_distance) * along * along.transpose();
-      }
-      hessian->add(contact.vertices, contact.weights, contact.limit * curvature);
-    }
+    couplings->add({contact.vertices, contact.weights, contact.limit * f.slope_over_distance * slid,
+                    contact.limit * curvature});
   }
   return energy;
 }

@@ -33,8 +33,8 @@ class Friction {
   /// much.
   void add_collider_contact(const Contact& contact, const Eigen::Vector3d& collider_displacement);
 
-  /// Returns the energy at x; adds gradient and Hessian unless null.
-  double add(const VertexField& x, VertexField* gradient, CouplingBlocks* hessian) const;
+  /// Returns the energy at x; adds its terms unless null.
+  double add(const VertexField& x, Couplings* couplings) const;
 
  private:
   struct Sliding {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/coupling_blocks.h"
+#include "core/couplings.h"
 #include "core/motion.h"
 #include "core/strands.h"
 #include "core/vertex_field.h"
@@ -51,9 +51,9 @@ class CollisionStage {
   virtual double step_limit(const VertexField& x, const VertexField& d) = 0;
   /// Collects candidate pairs near positions x. Called before every Newton iteration.
   virtual void detect(const VertexField& x) = 0;
-  /// Returns the contact energy of the candidates at x, J; adds its gradient and its positive
-  /// semi-definite Hessian unless null. Results do not depend on the number of threads.
-  virtual double add(const VertexField& x, VertexField* gradient, CouplingBlocks* hessian) = 0;
+  /// Returns the contact energy of the candidates at x, J; adds its terms unless null. Results do
+  /// not depend on the number of threads.
+  virtual double add(const VertexField& x, Couplings* couplings) = 0;
   /// The step ends at x.
   virtual void end_step(const VertexField& x) = 0;
   /// About the last add(), or, after end_step(), the step.

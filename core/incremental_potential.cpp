@@ -129,7 +129,7 @@ PotentialTerms IncrementalPotential::value(const VertexField& x) const {
     add_forces(g, x, {}, of_group);
   });
   PotentialTerms total = sum(terms);
-  if (model_.collision) total.contacts = model_.collision->add(x, nullptr, nullptr);
+  if (model_.collision) total.contacts = model_.collision->add(x, nullptr);
   return total;
 }
 
@@ -138,9 +138,8 @@ IncrementalPotential::Assembled IncrementalPotential::assemble(
     VertexField& direction, double added) const {
   double contacts = 0;
   if (model_.collision) {
-    gradient.set_zero();
     matrix.couplings.clear();
-    contacts = model_.collision->add(x, &gradient, &matrix.couplings);
+    contacts = model_.collision->add(x, &matrix.couplings);
     matrix.couplings.finish(model_.free);
   }
   const bool keep_all = solver.band_factor() == nullptr;
@@ -152,7 +151,8 @@ IncrementalPotential::Assembled IncrementalPotential::assemble(
     const GroupBands bands =
         keep_all || coupled ? matrix.bands.group(g) : matrix.temporary_bands(g);
     const auto rows = gradient.group(g);
-    if (!model_.collision) std::fill(rows.begin(), rows.end(), Vector3<Pack>{0, 0, 0});
+    std::fill(rows.begin(), rows.end(), Vector3<Pack>{0, 0, 0});
+    matrix.couplings.add_gradient(g, rows);
     const std::span of_group = std::span(terms).subspan(g * term_count(), term_count());
     of_group.front() = inertia(g, x);
     EdgeDerivatives& edges = matrix.temporary_edges(g);
@@ -191,7 +191,10 @@ std::optional<std::string> find_non_finite(const Model& model, const VertexField
   }
   if (model.collision) {
     VertexField gradient(model.groups);
-    const double value = model.collision->add(x, &gradient, nullptr);
+    Couplings couplings(model.groups);
+    const double value = model.collision->add(x, &couplings);
+    couplings.finish(model.free);
+    for (int g = 0; g < model.groups.count(); ++g) couplings.add_gradient(g, gradient.group(g));
     for (int v = 0; v < model.strands.vertex_count(); ++v) {
       if (std::isfinite(value) && gradient.get(v).allFinite()) continue;
       return "the contact energy, or its gradient at " + name_of(model, v) + ", is not finite";

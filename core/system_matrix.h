@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/coupling_blocks.h"
+#include "core/couplings.h"
 #include "core/edge_derivatives.h"
 #include "core/strand_bands.h"
 #include "core/vertex_field.h"
@@ -20,7 +20,7 @@ class SystemMatrix {
   }
 
   const StrandGroups& groups() const { return *groups_; }
-  bool couples_strands() const { return couplings.off_band_count() > 0; }
+  bool couples_strands() const { return couplings.coupled_count() > 0; }
 
   /// Memory for the bands of all groups; without it there are none.
   void keep_bands() {
@@ -34,7 +34,7 @@ class SystemMatrix {
   EdgeDerivatives& temporary_edges(int group);
 
   StrandBands bands;
-  CouplingBlocks couplings;
+  Couplings couplings;
 
  private:
   const StrandGroups* groups_;

@@ -27,7 +27,7 @@ double CoupledGradients::sum_coupled(const Body& body) {
   });
 }
 
-SolveReport CoupledGradients::solve(const BandFactor& factor, const CouplingBlocks& couplings,
+SolveReport CoupledGradients::solve(const BandFactor& factor, const Couplings& couplings,
                                     const VertexField& b, VertexField& x, const Stop& stop) {
   factor_ = &factor;
   couplings_ = &couplings;

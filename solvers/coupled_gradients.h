@@ -28,7 +28,7 @@ class CoupledGradients {
   void bind(const StrandGroups& groups);
   /// x holds B^-1 b at its beginning. Where A turns out not to be positive definite, the last
   /// iterate is returned as not converged.
-  SolveReport solve(const BandFactor& factor, const CouplingBlocks& couplings, const VertexField& b,
+  SolveReport solve(const BandFactor& factor, const Couplings& couplings, const VertexField& b,
                     VertexField& x, const Stop& stop);
 
  private:
@@ -50,7 +50,7 @@ class CoupledGradients {
 
   const StrandGroups* groups_ = nullptr;
   const BandFactor* factor_ = nullptr;
-  const CouplingBlocks* couplings_ = nullptr;
+  const Couplings* couplings_ = nullptr;
   GroupSum sum_;
   // r, z = B^-1 r, p, B p, C p, and the sum of alpha B p, at the coupled vertices.
   Vectors residual_, preconditioned_, direction_, band_product_, coupling_product_, right_side_;

@@ -35,13 +35,16 @@ struct Scenery {
   }
   VertexField gradient_at(const VertexField& at) {
     VertexField gradient(groups);
-    stage->add(at, &gradient, nullptr);
+    Couplings couplings(groups);
+    stage->add(at, &couplings);
+    couplings.finish(free);
+    for (int g = 0; g < groups.count(); ++g) couplings.add_gradient(g, gradient.group(g));
     return gradient;
   }
   Eigen::MatrixXd hessian_at(const VertexField& at) {
     SystemMatrix matrix(groups);
     matrix.keep_bands();
-    stage->add(at, nullptr, &matrix.couplings);
+    stage->add(at, &matrix.couplings);
     matrix.couplings.finish(free);
     for (int g = 0; g < groups.count(); ++g) {
       matrix.couplings.add_to_bands(g, matrix.bands.group(g));
@@ -108,7 +111,7 @@ TEST_CASE("the stage's energy is the sum over all pairs of edges that are near")
     }
   }
   REQUIRE(contacts > 10);
-  CHECK(s.stage->add(s.x, nullptr, nullptr) == Approx(expected));
+  CHECK(s.stage->add(s.x, nullptr) == Approx(expected));
   CHECK(s.stage->report().strand_contacts == contacts);
   CHECK(s.stage->report().collider_contacts == 0);
   CHECK(s.stage->report().penetration == Approx(deepest));
@@ -130,7 +133,7 @@ TEST_CASE("the stage's gradient is that of differences along random directions")
     add_scaled(plus, step, direction);
     add_scaled(minus, -step, direction);
     const double difference =
-        (s.stage->add(plus, nullptr, nullptr) - s.stage->add(minus, nullptr, nullptr)) / (2 * step);
+        (s.stage->add(plus, nullptr) - s.stage->add(minus, nullptr)) / (2 * step);
     CHECK(dot(gradient, direction) == Approx(difference).epsilon(1e-4));
   }
 }
@@ -167,13 +170,13 @@ TEST_CASE("nothing pushes beyond the thickness, and crossing strands get a finit
   Scenery apart(Strands({2, 2}, {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0.11}, {0, 1, 0.11}}, Material{}),
                 json);
   apart.start();
-  CHECK(apart.stage->add(apart.x, nullptr, nullptr) == 0);
+  CHECK(apart.stage->add(apart.x, nullptr) == 0);
   CHECK(apart.stage->report().strand_contacts == 0);
 
   Scenery crossing(Strands({2, 2}, {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}}, Material{}),
                    json);
   crossing.start();
-  CHECK(crossing.stage->add(crossing.x, nullptr, nullptr) == Approx(0.01));
+  CHECK(crossing.stage->add(crossing.x, nullptr) == Approx(0.01));
   const VertexField gradient = crossing.gradient_at(crossing.x);
   CHECK(gradient.get(0).norm() == Approx(0.1));  // half of k h, on each end
   CHECK((gradient.get(0) + gradient.get(2)).norm() < 1e-12);
@@ -185,15 +188,15 @@ TEST_CASE("edges in contact at rest push only where they come nearer than they w
                     Material{}),
             R"({"type": "fcl", "thickness": 0.1, "stiffness": 2})");
   s.start();
-  CHECK(s.stage->add(s.x, nullptr, nullptr) == 0);
+  CHECK(s.stage->add(s.x, nullptr) == 0);
   CHECK(s.stage->report().strand_contacts == 0);
   for (const int v : {2, 3}) s.x.add(v, {0, 0, -0.01});
-  CHECK(s.stage->add(s.x, nullptr, nullptr) == Approx(0.01 * 0.01).epsilon(1e-3));
+  CHECK(s.stage->add(s.x, nullptr) == Approx(0.01 * 0.01).epsilon(1e-3));
 
   for (const int v : {4, 5})
     s.x.add(v, {-2.5, 0, -0.41});  // not near at rest: all of the thickness
   s.stage->detect(s.x);
-  CHECK(s.stage->add(s.x, nullptr, nullptr) == Approx(2 * 0.01 * 0.01).epsilon(1e-3));
+  CHECK(s.stage->add(s.x, nullptr) == Approx(2 * 0.01 * 0.01).epsilon(1e-3));
 }
 
 TEST_CASE("strands feel each other only if they are asked to") {
@@ -202,7 +205,7 @@ TEST_CASE("strands feel each other only if they are asked to") {
             R"({"type": "fcl", "thickness": 2e-3, "strand_contacts": false,
     "colliders": [{"type": "sphere", "radius": 0.01}]})");
   s.start();
-  CHECK(s.stage->add(s.x, nullptr, nullptr) > 0);
+  CHECK(s.stage->add(s.x, nullptr) > 0);
   CHECK(s.stage->report().strand_contacts == 0);
   CHECK(s.stage->report().collider_contacts > 0);
 }
@@ -213,13 +216,13 @@ TEST_CASE(
   Scenery s(strands, R"({"type": "fcl", "thickness": 0.01, "stiffness": 2,
     "colliders": [{"type": "sphere", "radius": 0.01}]})");
   s.start();
-  CHECK(s.stage->add(s.x, nullptr, nullptr) == Approx(0.5 * 2 * 0.001 * 0.001));
+  CHECK(s.stage->add(s.x, nullptr) == Approx(0.5 * 2 * 0.001 * 0.001));
   CHECK((s.gradient_at(s.x).get(0) - Eigen::Vector3d(0, 0, -0.002)).norm() < 1e-12);
 
   Scenery other(strands, R"({"type": "fcl", "collider_thickness": 0.006, "collider_stiffness": 5,
     "colliders": [{"type": "sphere", "radius": 0.01}]})");
   other.start();
-  CHECK(other.stage->add(other.x, nullptr, nullptr) == Approx(0.5 * 5 * 0.002 * 0.002));
+  CHECK(other.stage->add(other.x, nullptr) == Approx(0.5 * 5 * 0.002 * 0.002));
 }
 
 TEST_CASE("colliders move to where they are at the end of the step") {
@@ -228,15 +231,15 @@ TEST_CASE("colliders move to where they are at the end of the step") {
                [{"type": "sphere", "radius": 0.1, "centre": [0, 0, 1.105], "motion": "nod"}]})");
   add_nod(s.motions);
   s.start();
-  CHECK(s.stage->add(s.x, nullptr, nullptr) == Approx(0.5 * 2 * 0.005 * 0.005));
+  CHECK(s.stage->add(s.x, nullptr) == Approx(0.5 * 2 * 0.005 * 0.005));
   s.stage->begin_step(s.x, 0.4, 0.4);
   s.stage->detect(s.x);
-  CHECK(s.stage->add(s.x, nullptr, nullptr) == 0);
+  CHECK(s.stage->add(s.x, nullptr) == 0);
 
   const Eigen::Isometry3d moved = Nod().at(0.4);
   s.x.set(0, moved * Eigen::Vector3d(0, 0, 1));
   s.stage->detect(s.x);
-  CHECK(s.stage->add(s.x, nullptr, nullptr) == Approx(0.5 * 2 * 0.005 * 0.005));
+  CHECK(s.stage->add(s.x, nullptr) == Approx(0.5 * 2 * 0.005 * 0.005));
   const Eigen::Vector3d push = moved.linear() * Eigen::Vector3d(0, 0, 0.01);
   CHECK((s.gradient_at(s.x).get(0) - push).norm() < 1e-12);
 }
@@ -262,7 +265,7 @@ TEST_CASE("pinned vertices do not feel colliders") {
   const auto [row, lane] = s.groups.slot(0);
   s.free[row][lane] = 0;
   s.start();
-  CHECK(s.stage->add(s.x, nullptr, nullptr) == 0);
+  CHECK(s.stage->add(s.x, nullptr) == 0);
 }
 
 TEST_CASE("candidates are kept for a step if detection is once a step") {
@@ -273,10 +276,10 @@ TEST_CASE("candidates are kept for a step if detection is once a step") {
     s.start();
     for (const int v : {2, 3}) s.x.add(v, {0, 0, -0.95});
     s.stage->detect(s.x);
-    CHECK((s.stage->add(s.x, nullptr, nullptr) == 0) == once);
+    CHECK((s.stage->add(s.x, nullptr) == 0) == once);
     s.stage->begin_step(s.x, 0.01, 0.01);
     s.stage->detect(s.x);
-    CHECK(s.stage->add(s.x, nullptr, nullptr) > 0);
+    CHECK(s.stage->add(s.x, nullptr) > 0);
   }
 }
 
@@ -311,8 +314,8 @@ TEST_CASE("candidates kept for as long as their margin allows miss no contact") 
       s->stage->begin_step(s->x, 0.05 * step, 0.05);
       s->stage->detect(s->x);
     }
-    energy = always->stage->add(always->x, nullptr, nullptr);
-    CHECK(seldom->stage->add(seldom->x, nullptr, nullptr) == energy);
+    energy = always->stage->add(always->x, nullptr);
+    CHECK(seldom->stage->add(seldom->x, nullptr) == energy);
   }
   CHECK(energy > 0);
 }
@@ -325,8 +328,11 @@ TEST_CASE("one thread and two find the same contacts, to the last bit") {
     s.start();
     SystemMatrix matrix(s.groups);
     VertexField gradient(s.groups);
-    const double energy = s.stage->add(s.x, &gradient, &matrix.couplings);
+    const double energy = s.stage->add(s.x, &matrix.couplings);
     matrix.couplings.finish(s.free);
+    for (int g = 0; g < s.groups.count(); ++g) {
+      matrix.couplings.add_gradient(g, gradient.group(g));
+    }
     std::vector<double> bits{energy};
     const Eigen::Matrix3Xd forces = gradient.matrix();
     bits.insert(bits.end(), forces.data(), forces.data() + forces.size());

@@ -30,13 +30,16 @@ struct Touch {
   }
   VertexField gradient_at(const VertexField& x) const {
     VertexField gradient(groups);
-    friction.add(x, &gradient, nullptr);
+    Couplings couplings(groups);
+    friction.add(x, &couplings);
+    couplings.finish(VertexScalars(groups.rows(), Pack(1)));
+    couplings.add_gradient(0, gradient.group(0));
     return gradient;
   }
   Eigen::MatrixXd hessian_at(const VertexField& x) const {
     SystemMatrix matrix(groups);
     matrix.keep_bands();
-    friction.add(x, nullptr, &matrix.couplings);
+    friction.add(x, &matrix.couplings);
     matrix.couplings.finish(VertexScalars(groups.rows(), Pack(1)));
     matrix.couplings.add_to_bands(0, matrix.bands.group(0));
     Eigen::MatrixXd dense(12, 12);
@@ -66,8 +69,7 @@ TEST_CASE("friction's gradient and Hessian are those of differences, and semi-de
     plus.add(column / 3, step * Eigen::Vector3d::Unit(column % 3));
     minus.add(column / 3, -step * Eigen::Vector3d::Unit(column % 3));
     const double difference =
-        (touch.friction.add(plus, nullptr, nullptr) - touch.friction.add(minus, nullptr, nullptr)) /
-        (2 * step);
+        (touch.friction.add(plus, nullptr) - touch.friction.add(minus, nullptr)) / (2 * step);
     CHECK(gradient.get(column / 3)[column % 3] == Approx(difference).margin(1e-6));
     const Eigen::VectorXd slope =
         (touch.gradient_at(plus).matrix() - touch.gradient_at(minus).matrix()).reshaped() /

@@ -21,12 +21,8 @@ TEST_CASE("the product with a system matrix is that of the dense matrix") {
 TEST_CASE("blocks outside the bands are visited with both triangles, and the bands stay definite") {
   const RandomSystem system({5, 9, 2, 14, 3, 4, 7, 8, 20}, 30, 3);
   Eigen::MatrixXd sum = system.dense_bands;
-  int visited = 0;
-  system.matrix.couplings.for_each_off_band([&](int i, int j, const Eigen::Matrix3d& block) {
-    sum.block<3, 3>(3 * i, 3 * j) += block;
-    ++visited;
-  });
-  CHECK(visited == system.matrix.couplings.off_band_count());
+  system.matrix.couplings.for_each_off_band(
+      [&](int i, int j, const Eigen::Matrix3d& block) { sum.block<3, 3>(3 * i, 3 * j) += block; });
   CHECK((sum - system.dense).cwiseAbs().maxCoeff() < 1e-12);
   CHECK(system.dense_bands.llt().info() == Eigen::Success);
 }

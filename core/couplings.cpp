@@ -1,0 +1,199 @@
+#include "core/couplings.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/parallel.h"
+
+namespace ringlet {
+namespace {
+
+constexpr int not_coupled = -1;
+
+}  // namespace
+
+void Couplings::clear() {
+  terms_.clear();
+  for (OfGroup& group : of_group_) {
+    group.parts.clear();
+    group.felt.clear();
+    group.first_coupled = group.coupled_count = 0;
+  }
+  for (const int vertex : coupled_) place_[vertex] = not_coupled;
+  coupled_.clear();
+}
+
+std::span<CouplingTerm> Couplings::append(int count) {
+  terms_.resize(terms_.size() + count);
+  return std::span(terms_).last(count);
+}
+
+bool Couplings::is_one_part(const CouplingTerm& term) const {
+  for (int a = 0; a < 4; ++a) {
+    for (int b = 0; b < a; ++b) {
+      const bool both = term.weights[a] != 0 && term.weights[b] != 0;
+      if (both && !fit_into_band(term.vertices[a], term.vertices[b])) return false;
+    }
+  }
+  return true;
+}
+
+bool Couplings::fit_into_band(int i, int j) const {
+  const LaneSlot a = groups_->slot(i), b = groups_->slot(j);
+  return a.lane == b.lane && std::abs(a.row - b.row) < band_blocks &&
+         groups_->group_of(i) == groups_->group_of(j);
+}
+
+void Couplings::finish(const VertexScalars& free) {
+  if (terms_.empty()) return;
+  distribute();
+  parallel_for_each(groups_->count(), [&](int g) { find_felt(g, free); });
+  int count = 0;
+  for (OfGroup& group : of_group_) {
+    group.first_coupled = count;
+    count += group.coupled_count;
+  }
+  coupled_.resize(count);
+  parallel_for_each(groups_->count(), [&](int g) { number_coupled(g); });
+  parallel_for_each(groups_->count(), [&](int g) {
+    for (Felt& felt : of_group_[g].felt) {
+      for (int& vertex : felt.rows) vertex = place_[vertex];
+      for (int& vertex : felt.columns) vertex = place_[vertex];
+    }
+  });
+}
+
+void Couplings::distribute() {
+  const auto add_part = [&](int t, int first, int end) {
+    for (int i = first; i < end; ++i) {
+      if (terms_[t].weights[i] == 0) continue;
+      of_group_[groups_->group_of(terms_[t].vertices[i])].parts.push_back({t, first, end});
+      return;
+    }
+  };
+  for (int t = 0; t < static_cast<int>(terms_.size()); ++t) {
+    if (is_one_part(terms_[t])) {
+      add_part(t, 0, 4);
+    } else {
+      add_part(t, 0, 2);
+      add_part(t, 2, 4);
+    }
+  }
+}
+
+/// Leaves the numbers of vertices in rows and columns, and marks the places of the rows.
+void Couplings::find_felt(int g, const VertexScalars& free) {
+  OfGroup& group = of_group_[g];
+  for (const auto& [t, first, end] : group.parts) {
+    if (end - first == 4) continue;
+    const CouplingTerm& term = terms_[t];
+    const FreeEnd row = free_end(term, first, free), column = free_end(term, 2 - first, free);
+    if (!row.has_weight() || !column.has_weight()) continue;
+    const Eigen::Matrix3d& c = term.curvature;
+    group.felt.push_back({row.vertices,
+                          column.vertices,
+                          row.weights,
+                          column.weights,
+                          {c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2)}});
+    for (const int vertex : row.vertices) {
+      group.coupled_count += place_[vertex] == not_coupled ? 1 : 0;
+      place_[vertex] = 0;
+    }
+  }
+}
+
+/// An edge of a term without what is pinned. A vertex without weight is replaced by the other one.
+Couplings::FreeEnd Couplings::free_end(const CouplingTerm& term, int first,
+                                       const VertexScalars& free) const {
+  FreeEnd end{{term.vertices[first], term.vertices[first + 1]}, {0, 0}};
+  for (int i = 0; i < 2; ++i) {
+    const auto [row, lane] = groups_->slot(end.vertices[i]);
+    if (free[row][lane] != 0) end.weights[i] = term.weights[first + i];
+  }
+  if (end.weights[0] == 0) end.vertices[0] = end.vertices[1];
+  if (end.weights[1] == 0) end.vertices[1] = end.vertices[0];
+  return end;
+}
+
+void Couplings::number_coupled(int g) {
+  const StrandGroup& strands = (*groups_)[g];
+  int place = of_group_[g].first_coupled;
+  if (of_group_[g].coupled_count == 0) return;
+  for (int row = strands.first_row; row < strands.first_row + strands.vertices; ++row) {
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const int vertex = groups_->vertex_at(row, lane);
+      if (vertex < 0 || place_[vertex] == not_coupled) continue;
+      coupled_[place] = vertex;
+      place_[vertex] = place++;
+    }
+  }
+}
+
+void Couplings::add_gradient(int group, std::span<Vector3<Pack>> rows) const {
+  const int first_row = (*groups_)[group].first_row;
+  for (const auto& [t, first, end] : of_group_[group].parts) {
+    const CouplingTerm& term = terms_[t];
+    for (int i = first; i < end; ++i) {
+      if (term.weights[i] == 0) continue;
+      const auto [row, lane] = groups_->slot(term.vertices[i]);
+      Vector3<Pack>& target = rows[row - first_row];
+      target.x[lane] = target.x[lane] + term.weights[i] * term.gradient.x();
+      target.y[lane] = target.y[lane] + term.weights[i] * term.gradient.y();
+      target.z[lane] = target.z[lane] + term.weights[i] * term.gradient.z();
+    }
+  }
+}
+
+void Couplings::add_to_bands(int group, GroupBands bands) const {
+  const int first_row = (*groups_)[group].first_row;
+  for (const auto& [t, first, end] : of_group_[group].parts) {
+    const CouplingTerm& term = terms_[t];
+    for (int i = first; i < end; ++i) {
+      for (int j = first; j <= i; ++j) {
+        const double weight = term.weights[i] * term.weights[j];
+        if (weight == 0) continue;
+        const LaneSlot a = groups_->slot(term.vertices[i]), b = groups_->slot(term.vertices[j]);
+        Matrix3<Pack>& block =
+            bands.block(std::max(a.row, b.row) - first_row, std::abs(a.row - b.row));
+        for (int m = 0; m < 9; ++m) {
+          block.m[m][a.lane] = block.m[m][a.lane] + weight * term.curvature(m / 3, m % 3);
+        }
+      }
+    }
+  }
+}
+
+Eigen::Matrix3d Couplings::Felt::full() const {
+  const auto& [xx, xy, xz, yy, yz, zz] = curvature;
+  return Eigen::Matrix3d{{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}};
+}
+
+Vector3<double> Couplings::Felt::force(const Vector3<double>& u) const {
+  const auto& [xx, xy, xz, yy, yz, zz] = curvature;
+  return {xx * u.x + xy * u.y + xz * u.z, xy * u.x + yy * u.y + yz * u.z,
+          xz * u.x + yz * u.y + zz * u.z};
+}
+
+void Couplings::multiply(int group, std::span<const Vector3<double>> x,
+                         std::span<Vector3<double>> y) const {
+  std::fill(y.begin(), y.end(), Vector3<double>{0, 0, 0});
+  const int first = of_group_[group].first_coupled;
+  for (const Felt& felt : of_group_[group].felt) {
+    const Vector3<double> force = felt.force(felt.column_weights[0] * x[felt.columns[0]] +
+                                             felt.column_weights[1] * x[felt.columns[1]]);
+    for (int i = 0; i < 2; ++i) y[felt.rows[i] - first] += felt.row_weights[i] * force;
+  }
+}
+
+void Couplings::add_product(int group, const VertexField& x, VertexField& y) const {
+  const auto at = [&](int place) { return from_eigen(x.get(coupled_[place])); };
+  for (const Felt& felt : of_group_[group].felt) {
+    const Vector3<double> force = felt.force(felt.column_weights[0] * at(felt.columns[0]) +
+                                             felt.column_weights[1] * at(felt.columns[1]));
+    for (int i = 0; i < 2; ++i) {
+      y.add(coupled_[felt.rows[i]], to_eigen(felt.row_weights[i] * force));
+    }
+  }
+}
+
+}  // namespace ringlet
