@@ -41,48 +41,75 @@ double ColliderContacts::free_part(int collider, const Eigen::Vector3d& from,
                                    const Eigen::Vector3d& to, double kept_part) const {
   const Eigen::Isometry3d to_collider = placements_[collider].inverse();
   const double longest = (to - from).norm();
-  const auto distance = [&](double part) {
+  if (longest == 0) return 1;
+  const double far = 2 * longest;  // enough to go all the way
+  return ringlet::free_part(longest, kept_part, [&](double part) {
     const Eigen::Vector3d point = to_collider * (from + part * (to - from));
     std::optional<Proximity> found;
-    colliders_[collider]->near({&point, 1}, longest, {&found, 1});
-    return found ? found->distance : longest;
-  };
-  if (longest == 0) return 1;
-  return ringlet::free_part(longest, std::max(0.0, kept_part * distance(0)), distance);
+    colliders_[collider]->near({&point, 1}, far, {&found, 1});
+    return found ? found->distance : far;
+  });
 }
 
 double ColliderContacts::free_part(std::span<const Eigen::Vector3d> from,
                                    std::span<const Eigen::Vector3d> to, double kept_part) const {
-  std::vector<double> parts(from.size(), 1);
-  for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
-    parallel_for_each(static_cast<int>(from.size()), [&](int v) {
-      if (is_free_[v]) parts[v] = std::min(parts[v], free_part(c, from[v], to[v], kept_part));
-    });
-  }
+  std::vector<double> parts(vertices_.size() + 1, 1);
+  parallel_for_each(candidate_count(), [&](int n) {
+    const int v = vertices_[n];
+    parts[n] = free_part(collider_of_[n], from[v], to[v], kept_part);
+  });
   return *std::min_element(parts.begin(), parts.end());
 }
 
 void ColliderContacts::carry_what_is_hit(std::span<const Eigen::Vector3d> start,
-                                         std::span<Eigen::Vector3d> to) const {
+                                         std::span<Eigen::Vector3d> to,
+                                         const Movement& movement) const {
   for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
-    parallel_for_each(static_cast<int>(start.size()), [&](int v) {
+    const std::vector<int> reachable = find_reachable(c, start, to, movement);
+    parallel_for_each(static_cast<int>(reachable.size()), [&](int n) {
+      const int v = reachable[n];
       const Eigen::Vector3d carried = since_begin_[c] * start[v];
-      if (is_free_[v] && free_part(c, carried, to[v], 0) < 1) to[v] = carried;
+      if (free_part(c, carried, to[v], 0) < 1) to[v] = carried;
     });
   }
 }
 
 double ColliderContacts::free_part_of_step(std::span<const Eigen::Vector3d> start,
-                                           std::span<const Eigen::Vector3d> to,
-                                           double kept_part) const {
-  std::vector<double> parts(start.size(), 1);
+                                           std::span<const Eigen::Vector3d> to, double kept_part,
+                                           const Movement& movement) const {
+  double least = 1;
   for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
-    parallel_for_each(static_cast<int>(start.size()), [&](int v) {
-      if (!is_free_[v]) return;
-      parts[v] = std::min(parts[v], free_part(c, since_begin_[c] * start[v], to[v], kept_part));
+    const std::vector<int> reachable = find_reachable(c, start, to, movement);
+    std::vector<double> parts(reachable.size() + 1, 1);
+    parallel_for_each(static_cast<int>(reachable.size()), [&](int n) {
+      const int v = reachable[n];
+      parts[n] = free_part(c, since_begin_[c] * start[v], to[v], kept_part);
     });
+    least = std::min(least, *std::min_element(parts.begin(), parts.end()));
   }
-  return *std::min_element(parts.begin(), parts.end());
+  return least;
+}
+
+// The free vertices that may meet a collider in a step: if none has used up the margin, candidates.
+std::vector<int> ColliderContacts::find_reachable(int collider,
+                                                  std::span<const Eigen::Vector3d> start,
+                                                  std::span<const Eigen::Vector3d> to,
+                                                  const Movement& movement) const {
+  std::vector<int> reachable;
+  if (movement.has_started()) {
+    const Eigen::Isometry3d motion = placements_[collider] * detected_[collider].inverse();
+    if (movement.is_within(margin_, to, motion) &&
+        movement.is_within(margin_, start, since_begin_[collider].inverse() * motion)) {
+      for (int n = 0; n < candidate_count(); ++n) {
+        if (collider_of_[n] == collider) reachable.push_back(vertices_[n]);
+      }
+      return reachable;
+    }
+  }
+  for (int v = 0; v < static_cast<int>(start.size()); ++v) {
+    if (is_free_[v]) reachable.push_back(v);
+  }
+  return reachable;
 }
 
 double ColliderContacts::deepest(std::span<const Eigen::Vector3d> positions) const {

@@ -29,16 +29,18 @@ class ColliderContacts {
   /// Collects the free vertices nearer to a collider than the thickness and a margin, m: the one
   /// given to the constructor if none is.
   void detect(std::span<const Eigen::Vector3d> positions, std::optional<double> margin = {});
-  /// The part of straight ways that free vertices may go before one comes nearer to a collider than
+  /// The part of straight ways that candidates may go before one comes nearer to its collider than
   /// a part of its first distance; 1: all of it, 0: one is inside at the start.
   double free_part(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
                    double kept_part) const;
-  /// The same for ways from the start of the step, seen from the moving colliders.
+  /// The same of all free vertices, for ways from the start of the step, seen from the moving
+  /// colliders. movement: since the last detect().
   double free_part_of_step(std::span<const Eigen::Vector3d> start,
-                           std::span<const Eigen::Vector3d> to, double kept_part) const;
+                           std::span<const Eigen::Vector3d> to, double kept_part,
+                           const Movement& movement) const;
   /// Moves every free vertex that a moving collider hits on its way in the step along with it.
-  void carry_what_is_hit(std::span<const Eigen::Vector3d> start,
-                         std::span<Eigen::Vector3d> to) const;
+  void carry_what_is_hit(std::span<const Eigen::Vector3d> start, std::span<Eigen::Vector3d> to,
+                         const Movement& movement) const;
   /// Whether no vertex but the candidates can be nearer to a collider than the thickness.
   /// movement: since the last detect().
   bool are_valid(std::span<const Eigen::Vector3d> positions, const Movement& movement) const;
@@ -60,6 +62,9 @@ class ColliderContacts {
                       std::vector<Touching::Found>& found) const;
   double free_part(int collider, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                    double kept_part) const;
+  std::vector<int> find_reachable(int collider, std::span<const Eigen::Vector3d> start,
+                                  std::span<const Eigen::Vector3d> to,
+                                  const Movement& movement) const;
   /// Of a chunk's own vertices, those nearer to a collider than reach.
   std::vector<int> find_near(int collider, const EdgeChunk& chunk, bool free_only,
                              std::span<const Eigen::Vector3d> positions, double reach) const;

@@ -7,20 +7,8 @@
 
 namespace ringlet {
 
-double free_part(double longest, double floor, const std::function<double(double)>& distance) {
-  double part = 0;
-  while (true) {
-    const double gap = distance(part);
-    if (!(gap > floor)) return part;
-    // Always a little: where the gap is near the floor, it passes it in a few steps.
-    const double advance = usable_part * gap;
-    if (advance >= (1 - part) * longest) return 1;
-    part += advance / longest;
-  }
-}
-
 double free_part_of_segments(const std::array<Eigen::Vector3d, 4>& from,
-                             const std::array<Eigen::Vector3d, 4>& to, double floor) {
+                             const std::array<Eigen::Vector3d, 4>& to, double kept_part) {
   // What both have in common does not bring them nearer.
   std::array<Eigen::Vector3d, 4> motion;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -31,10 +19,11 @@ double free_part_of_segments(const std::array<Eigen::Vector3d, 4>& from,
   for (auto& m : motion) m -= mean;
   const double longest =
       std::max(motion[0].norm(), motion[1].norm()) + std::max(motion[2].norm(), motion[3].norm());
-  return free_part(longest, floor, [&](double part) {
+  const auto distance = [&](double part) {
     const auto at = [&](int i) { return from_eigen(from[i] + part * motion[i]); };
     return std::sqrt(closest_points(at(0), at(1), at(2), at(3)).squared_distance);
-  });
+  };
+  return free_part(longest, kept_part, distance);
 }
 
 }  // namespace ringlet

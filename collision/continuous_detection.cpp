@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "collision/contact.h"
 #include "collision/continuous.h"
 #include "core/parallel.h"
 
@@ -14,9 +13,7 @@ double free_part_of_pair(const EdgePair& pair, std::span<const Eigen::Vector3d> 
   const auto vertices_of = [&](std::span<const Eigen::Vector3d> at) {
     return std::array{at[pair.first], at[pair.first + 1], at[pair.second], at[pair.second + 1]};
   };
-  const auto start = vertices_of(from);
-  const double distance = segment_gap(start).distance;
-  return free_part_of_segments(start, vertices_of(to), kept_part * distance);
+  return free_part_of_segments(vertices_of(from), vertices_of(to), kept_part);
 }
 
 }  // namespace

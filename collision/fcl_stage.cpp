@@ -24,6 +24,15 @@ SegmentGap gap_of(const EdgePair& pair, const VertexField& x) {
       {x.get(pair.first), x.get(pair.first + 1), x.get(pair.second), x.get(pair.second + 1)});
 }
 
+double longest_distance(std::span<const Eigen::Vector3d> from,
+                        std::span<const Eigen::Vector3d> to) {
+  double longest = 0;
+  for (std::size_t v = 0; v < from.size(); ++v) {
+    longest = std::max(longest, (to[v] - from[v]).norm());
+  }
+  return longest;
+}
+
 }  // namespace
 
 Schema<FclStageParameters> FclStageParameters::schema() {
@@ -143,16 +152,23 @@ void FclStage::gather(const VertexField& x) {
   parallel_for_each(static_cast<int>(positions_.size()), [&](int v) { positions_[v] = x.get(v); });
 }
 
-// Two edges come nearer to each other by no more than twice what a vertex moves.
 bool FclStage::are_candidates_valid() const {
-  return movement_.has_started() &&
-         movement_.is_within(*parameters_.margin / 2, positions_,
-                             movement_.rigid_part(positions_)) &&
+  return is_covered(positions_, positions_, parameters_.thickness) &&
          collider_contacts_.are_valid(positions_, movement_);
 }
 
+// Whether all pairs that come nearer than reach on a straight way are candidates. Two edges come
+// nearer to each other by no more than twice what a vertex moves.
+bool FclStage::is_covered(std::span<const Eigen::Vector3d> from,
+                          std::span<const Eigen::Vector3d> to, double reach) const {
+  if (!movement_.has_started()) return false;
+  const double allowed = (parameters_.thickness + *parameters_.margin - reach) / 2;
+  const Eigen::Isometry3d common = movement_.rigid_part(to);
+  return movement_.is_within(allowed, from, common) && movement_.is_within(allowed, to, common);
+}
+
 void FclStage::collect_candidates() {
-  if (parameters_.detect == DetectWhen::margin) movement_.start_from(positions_);
+  movement_.start_from(positions_);
   if (detector_) {
     detector_->find(positions_, parameters_.thickness + *parameters_.margin, pairs_);
     std::erase_if(pairs_, [&](const EdgePair& pair) { return !rule_->allows(pair); });
@@ -212,14 +228,13 @@ bool FclStage::can_reach(const VertexField& x_n, VertexField& guess) {
   gather(x_n);
   std::vector<Eigen::Vector3d> start = positions_;
   gather(guess);
-  collider_contacts_.carry_what_is_hit(start, positions_);
+  collider_contacts_.carry_what_is_hit(start, positions_, movement_);
   for (std::size_t v = 0; v < start.size(); ++v) guess.set(static_cast<int>(v), positions_[v]);
-  if (collider_contacts_.free_part_of_step(start, positions_, vanishing) < 1) return false;
+  if (collider_contacts_.free_part_of_step(start, positions_, vanishing, movement_) < 1)
+    return false;
   if (!continuous_) return true;
   bring_to(positions_, start);
-  pairs_ = continuous_->find(start, positions_, 0);
-  movement_ = {};
-  limit_thickness();
+  if (!is_covered(start, positions_, 0)) sweep(start, positions_, 0);
   return free_part_of_pairs(pairs_, thickness_, start, positions_, vanishing) == 1;
 }
 
@@ -227,21 +242,33 @@ double FclStage::step_limit(const VertexField& x, const VertexField& d) {
   if (!response_->is_barrier()) return 1;
   gather(x);
   std::vector<Eigen::Vector3d> to(positions_.size());
-  double longest = 0;
-  for (std::size_t v = 0; v < to.size(); ++v) {
-    const Eigen::Vector3d step = d.get(static_cast<int>(v));
-    to[v] = positions_[v] - step;
-    longest = std::max(longest, step.norm());
-  }
-  if (continuous_) {
-    pairs_ = continuous_->find(positions_, to, parameters_.thickness);
-    limit_thickness();
-  }
-  collider_contacts_.detect(positions_, longest);
-  movement_ = {};
-  is_swept_ = true;
+  parallel_for_each(static_cast<int>(to.size()), [&](int v) { to[v] = positions_[v] - d.get(v); });
+  find_candidates_of_way(to);
   return std::min(free_part_of_pairs(pairs_, thickness_, positions_, to, 1 - usable_part),
                   collider_contacts_.free_part(positions_, to, 1 - usable_part));
+}
+
+// Afterwards all that comes nearer than the thickness on a straight way is a candidate.
+void FclStage::find_candidates_of_way(std::span<const Eigen::Vector3d> to) {
+  const auto is_way_covered = [&] {
+    return is_covered(positions_, to, parameters_.thickness) &&
+           collider_contacts_.are_valid(positions_, movement_) &&
+           collider_contacts_.are_valid(to, movement_);
+  };
+  if (is_way_covered()) return;
+  collect_candidates();
+  if (is_way_covered()) return;
+  sweep(positions_, to, parameters_.thickness);
+  collider_contacts_.detect(positions_, longest_distance(positions_, to));
+  is_swept_ = true;
+}
+
+void FclStage::sweep(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
+                     double reach) {
+  movement_ = {};
+  if (!continuous_) return;
+  pairs_ = continuous_->find(from, to, reach);
+  limit_thickness();
 }
 
 double FclStage::add(const VertexField& x, Couplings* couplings) {

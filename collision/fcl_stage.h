@@ -69,7 +69,12 @@ class FclStage final : public CollisionStage {
  private:
   void bind_strand_contacts(const Strands& strands);
   bool are_candidates_valid() const;
+  bool is_covered(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
+                  double reach) const;
   void collect_candidates();
+  void find_candidates_of_way(std::span<const Eigen::Vector3d> to);
+  void sweep(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
+             double reach);
   void find_candidates(const VertexField& x);
   void gather(const VertexField& x);
   void limit_thickness();

@@ -100,7 +100,7 @@ Newton::Outcome Newton::iterate(Model& model, const IncrementalPotential& potent
   report.newton_converged =
       !regularised_ && report.newton_update <= parameters_.newton_tolerance * dt;
   if (!parameters_.line_search) {
-    add_scaled(x, -longest_step(model, x), direction_);
+    add_scaled(x, -longest_step(model, x, report), direction_);
   } else if (!search_line(model, potential, x, report)) {
     return Outcome::done;
   }
@@ -153,7 +153,8 @@ void Newton::measure_direction() {
   }
 }
 
-double Newton::longest_step(Model& model, const VertexField& x) {
+double Newton::longest_step(Model& model, const VertexField& x, StepReport& report) {
+  const StageTimer timer(report.seconds.detect);
   return model.collision ? model.collision->step_limit(x, direction_) : 1;
 }
 
@@ -161,7 +162,7 @@ double Newton::longest_step(Model& model, const VertexField& x) {
 /// unchanged.
 bool Newton::search_line(Model& model, const IncrementalPotential& potential, VertexField& x,
                          StepReport& report) {
-  double alpha = longest_step(model, x);
+  double alpha = longest_step(model, x, report);
   for (int halvings = 0; halvings <= halving_limit; ++halvings, alpha /= 2) {
     parallel_for_each(model.groups.count(), [&](int g) {
       const auto from = x.group(g), d = direction_.group(g), trial = trial_.group(g);

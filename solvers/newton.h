@@ -52,7 +52,7 @@ class Newton {
   bool solve(LinearSolver& solver, StepReport& report);
   void measure_direction();
   /// The alpha with which the line search begins.
-  double longest_step(Model& model, const VertexField& x);
+  double longest_step(Model& model, const VertexField& x, StepReport& report);
   bool search_line(Model& model, const IncrementalPotential& potential, VertexField& x,
                    StepReport& report);
   bool try_next_iteration(Model& model, const IncrementalPotential& potential, VertexField& x,

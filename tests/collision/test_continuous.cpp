@@ -43,7 +43,7 @@ TEST_CASE("within their free part, random segments stay apart") {
     for (auto& p : from) p = random_point(random, 1);
     for (auto& p : to) p = random_point(random, 1);
     const double floor = 0.1 * distance_at(from, to, 0);
-    const double part = free_part_of_segments(from, to, floor);
+    const double part = free_part_of_segments(from, to, 0.1);
     if (part < 1) ++blocked;
     double least = 1;
     for (int i = 0; i <= 1000; ++i) least = std::min(least, distance_at(from, to, i * part / 1000));
