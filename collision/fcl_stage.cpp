@@ -47,7 +47,10 @@ Schema<FclStageParameters> FclStageParameters::schema() {
            "whether strands feel each other and themselves")
       .key("push_at_rest", &P::push_at_rest, "", any_number(),
            "whether strands that are nearer than the thickness in their rest shape push each other "
-           "even there; else only where they come nearer than at rest")
+           "even there")
+      .key("rest_slack", &P::rest_slack, "", between(1e-6, 1),
+           "else, by how much of their distance at rest they may come nearer before they push; 1: "
+           "they never do")
       .key(
           "arc_distance", &P::arc_distance, "m", at_least(0),
           "two edges of one strand with less arc between them do not touch; twice the thickness if "
@@ -106,7 +109,9 @@ void FclStage::bind_strand_contacts(const Strands& strands) {
   rule_.emplace(strands, *parameters_.arc_distance);
   detector_ = parameters_.detector.make();
   detector_->bind(strands);
-  if (!parameters_.push_at_rest) rest_pairs_.emplace(strands, *detector_, parameters_.thickness);
+  if (!parameters_.push_at_rest) {
+    rest_pairs_.emplace(strands, *detector_, parameters_.thickness, parameters_.rest_slack);
+  }
   if (parameters_.audit || response_->is_barrier()) continuous_.emplace(chunks_, *rule_);
 }
 
@@ -186,23 +191,30 @@ void FclStage::evaluate(const VertexField& x) {
   const int pairs = static_cast<int>(pairs_.size());
   strand_contacts_.collect((pairs + pairs_a_part - 1) / pairs_a_part, [&](int part, auto& found) {
     const int end = std::min(pairs, (part + 1) * pairs_a_part);
-    for (int p = part * pairs_a_part; p < end; ++p) add_if_touching(p, x, found);
+    for (int p = part * pairs_a_part; p < end; p += lane_count) {
+      add_touching(p, std::min(lane_count, end - p), x, found);
+    }
   });
   collider_contacts_.evaluate(x, touched_colliders_);
 }
 
-void FclStage::add_if_touching(int p, const VertexField& x,
-                               std::vector<Touching::Found>& found) const {
-  const ContactLaw law{response_.get(), thickness_[p], parameters_.stiffness};
-  const EdgePair& pair = pairs_[p];
-  const SegmentGap gap = gap_of(pair, x);
-  if (gap.distance >= law.thickness) return;
-  found.push_back({p,
-                   {{pair.first, pair.first + 1, pair.second, pair.second + 1},
-                    gap.weights,
-                    gap.normal,
-                    law.thickness - gap.distance,
-                    law.at(gap.distance)}});
+void FclStage::add_touching(int first, int count, const VertexField& x,
+                            std::vector<Touching::Found>& found) const {
+  const std::span<const EdgePair> pairs(&pairs_[first], count);
+  const SegmentGaps gaps(pairs, x);
+  for (int n = 0; n < count; ++n) {
+    const EdgePair& pair = pairs[n];
+    const ContactLaw law{response_.get(), thickness_[first + n], parameters_.stiffness};
+    const double distance = gaps.distances()[n];
+    if (distance >= law.thickness) continue;
+    const SegmentGap gap = distance == 0 ? gap_of(pair, x) : gaps.of(n);
+    found.push_back({first + n,
+                     {{pair.first, pair.first + 1, pair.second, pair.second + 1},
+                      gap.weights,
+                      gap.normal,
+                      law.thickness - distance,
+                      law.at(distance)}});
+  }
 }
 
 // Friction is that of the forces, normals and closest points at x, until the next iteration.

@@ -33,6 +33,7 @@ struct FclStageParameters {
   double stiffness = 2;
   bool strand_contacts = true;
   bool push_at_rest = false;
+  double rest_slack = 0.1;
   std::optional<double> arc_distance;
   std::optional<double> collider_thickness;
   std::optional<double> collider_stiffness;
@@ -79,7 +80,9 @@ class FclStage final : public CollisionStage {
   void gather(const VertexField& x);
   void limit_thickness();
   void evaluate(const VertexField& x);
-  void add_if_touching(int pair, const VertexField& x, std::vector<Touching::Found>& found) const;
+  /// Of count candidate pairs from the first on, no more than there are lanes.
+  void add_touching(int first, int count, const VertexField& x,
+                    std::vector<Touching::Found>& found) const;
   void lag_friction(const VertexField& x);
 
   FclStageParameters parameters_;

@@ -5,14 +5,9 @@
 #include "collision/segment_distance.h"
 
 namespace ringlet {
-namespace {
 
-/// Relative; so that rounding of a distance at rest is no contact.
-constexpr double slack = 1e-6;
-
-}  // namespace
-
-RestPairs::RestPairs(const Strands& strands, ContactDetector& detector, double thickness) {
+RestPairs::RestPairs(const Strands& strands, ContactDetector& detector, double thickness,
+                     double slack) {
   std::vector<Eigen::Vector3d> rest(strands.vertex_count());
   for (int v = 0; v < strands.vertex_count(); ++v) rest[v] = strands.rest_position(v);
   detector.find(rest, thickness, pairs_);

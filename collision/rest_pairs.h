@@ -7,16 +7,16 @@
 
 namespace ringlet {
 
-/// Pairs of edges that are near each other in the rest shape: those do not push while they are no
-/// nearer than at rest, else strands made to lie together would burst apart.
+/// Pairs of edges that are near each other in the rest shape: those do not push there, else strands
+/// made to lie together would burst apart, nor where they are only a little nearer than at rest.
 class RestPairs {
  public:
   /// Asks the detector, bound to these strands, for the pairs nearer at rest than a thickness, m.
-  RestPairs(const Strands& strands, ContactDetector& detector, double thickness);
+  /// slack: the part of that distance by which they may come nearer to each other.
+  RestPairs(const Strands& strands, ContactDetector& detector, double thickness, double slack);
 
   /// Of some pairs, sorted as a detector sorts them: replaces the thickness of each that is near at
-  /// rest by its distance there. That is short by a millionth, so that rounding makes no contacts
-  /// of pairs at rest.
+  /// rest by its distance there without the slack.
   void limit(std::span<const EdgePair> pairs, std::span<double> thickness) const;
 
  private:

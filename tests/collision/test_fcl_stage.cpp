@@ -2,7 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "collision/segment_distance.h"
+#include "collision/segment_gap.h"
 #include "core/collision_stage.h"
 #include "core/system_matrix.h"
 #include "tests/catch.h"
@@ -101,9 +101,7 @@ TEST_CASE("the stage's energy is the sum over all pairs of edges that are near")
       if (!is_edge(a) || !is_edge(b)) continue;
       const bool same = s.strands.strand_of(a) == s.strands.strand_of(b);
       if (same && arc[b] - arc[a + 1] < 4e-3) continue;  // the default: twice the thickness
-      const double depth = 2e-3 - std::sqrt(closest_points(from_eigen(x[a]), from_eigen(x[a + 1]),
-                                                           from_eigen(x[b]), from_eigen(x[b + 1]))
-                                                .squared_distance);
+      const double depth = 2e-3 - segment_gap({x[a], x[a + 1], x[b], x[b + 1]}).distance;
       if (depth <= 0) continue;
       expected += 0.5 * 3 * depth * depth;
       deepest = std::max(deepest, depth);
@@ -182,21 +180,24 @@ TEST_CASE("nothing pushes beyond the thickness, and crossing strands get a finit
   CHECK((gradient.get(0) + gradient.get(2)).norm() < 1e-12);
 }
 
-TEST_CASE("edges in contact at rest push only where they come nearer than they were") {
+TEST_CASE("edges in contact at rest push only where they come nearer than the slack allows") {
   Scenery s(Strands({2, 2, 2},
                     {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0.04}, {0, 1, 0.04}, {3, -1, 0.5}, {3, 1, 0.5}},
                     Material{}),
-            R"({"type": "fcl", "thickness": 0.1, "stiffness": 2})");
+            R"({"type": "fcl", "thickness": 0.1, "stiffness": 2, "rest_slack": 0.2})");
   s.start();
-  CHECK(s.stage->add(s.x, nullptr) == 0);
-  CHECK(s.stage->report().strand_contacts == 0);
-  for (const int v : {2, 3}) s.x.add(v, {0, 0, -0.01});
-  CHECK(s.stage->add(s.x, nullptr) == Approx(0.01 * 0.01).epsilon(1e-3));
+  for (const double z : {0.0, -0.007}) {
+    for (const int v : {2, 3}) s.x.add(v, {0, 0, z});
+    CHECK(s.stage->add(s.x, nullptr) == 0);
+    CHECK(s.stage->report().strand_contacts == 0);
+  }
+  for (const int v : {2, 3}) s.x.add(v, {0, 0, -0.005});
+  CHECK(s.stage->add(s.x, nullptr) == Approx(0.004 * 0.004).epsilon(1e-3));
 
   for (const int v : {4, 5})
     s.x.add(v, {-2.5, 0, -0.41});  // not near at rest: all of the thickness
   s.stage->detect(s.x);
-  CHECK(s.stage->add(s.x, nullptr) == Approx(2 * 0.01 * 0.01).epsilon(1e-3));
+  CHECK(s.stage->add(s.x, nullptr) == Approx(0.004 * 0.004 + 0.01 * 0.01).epsilon(1e-2));
 }
 
 TEST_CASE("strands feel each other only if they are asked to") {
