@@ -187,6 +187,13 @@ void FclStage::limit_thickness() {
   if (rest_pairs_) rest_pairs_->limit(pairs_, thickness_);
 }
 
+// A barrier pushes a pair that is near at rest, and so has a small thickness, with as large forces
+// as any other: else loads would close its gap to nothing, where no step can go on.
+double FclStage::stiffness_of(int p) const {
+  if (!response_->is_barrier() || thickness_[p] == 0) return parameters_.stiffness;
+  return parameters_.stiffness * parameters_.thickness / thickness_[p];
+}
+
 void FclStage::evaluate(const VertexField& x) {
   const int pairs = static_cast<int>(pairs_.size());
   strand_contacts_.collect((pairs + pairs_a_part - 1) / pairs_a_part, [&](int part, auto& found) {
@@ -204,7 +211,7 @@ void FclStage::add_touching(int first, int count, const VertexField& x,
   const SegmentGaps gaps(pairs, x);
   for (int n = 0; n < count; ++n) {
     const EdgePair& pair = pairs[n];
-    const ContactLaw law{response_.get(), thickness_[first + n], parameters_.stiffness};
+    const ContactLaw law{response_.get(), thickness_[first + n], stiffness_of(first + n)};
     const double distance = gaps.distances()[n];
     if (distance >= law.thickness) continue;
     const SegmentGap gap = distance == 0 ? gap_of(pair, x) : gaps.of(n);

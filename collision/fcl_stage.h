@@ -79,6 +79,7 @@ class FclStage final : public CollisionStage {
   void find_candidates(const VertexField& x);
   void gather(const VertexField& x);
   void limit_thickness();
+  double stiffness_of(int pair) const;
   void evaluate(const VertexField& x);
   /// Of count candidate pairs from the first on, no more than there are lanes.
   void add_touching(int first, int count, const VertexField& x,

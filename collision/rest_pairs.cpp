@@ -5,6 +5,12 @@
 #include "collision/segment_distance.h"
 
 namespace ringlet {
+namespace {
+
+/// What is nearer at rest than this part of the thickness crosses there.
+constexpr double crossing = 1e-6;
+
+}  // namespace
 
 RestPairs::RestPairs(const Strands& strands, ContactDetector& detector, double thickness,
                      double slack) {
@@ -15,7 +21,7 @@ RestPairs::RestPairs(const Strands& strands, ContactDetector& detector, double t
   for (const auto [a, b] : pairs_) {
     const double distance =
         std::sqrt(closest_points(at(a), at(a + 1), at(b), at(b + 1)).squared_distance);
-    thickness_.push_back((1 - slack) * distance);
+    thickness_.push_back(distance > crossing * thickness ? (1 - slack) * distance : 0);
   }
 }
 

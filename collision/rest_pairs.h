@@ -16,7 +16,8 @@ class RestPairs {
   RestPairs(const Strands& strands, ContactDetector& detector, double thickness, double slack);
 
   /// Of some pairs, sorted as a detector sorts them: replaces the thickness of each that is near at
-  /// rest by its distance there without the slack.
+  /// rest by its distance there without the slack; by 0 if they cross at rest, nearer than a
+  /// millionth of the thickness.
   void limit(std::span<const EdgePair> pairs, std::span<double> thickness) const;
 
  private:

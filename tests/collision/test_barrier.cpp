@@ -119,8 +119,23 @@ TEST_CASE(
 }
 
 TEST_CASE("edges of two strands are guarded") {
-  Guarded guarded(crossing_edges(0.01), R"(, "thickness": 0.02)");
-  CHECK(guarded.limit(fall_of_upper(0.02)) < 0.5);
+  for (const double height : {0.01, 0.1}) {
+    Guarded guarded(crossing_edges(height), R"(, "thickness": 0.02)");
+    CHECK(guarded.limit(fall_of_upper(2 * height)) < 0.5);
+  }
+}
+
+TEST_CASE("a barrier holds pairs that are near at rest as strongly as any other") {
+  // E(h/2) = k H h ln(2) / 8, with the thickness H and the one of the pair, h.
+  for (const double at_rest : {1e-5, 1e-3, 0.015, 0.1}) {
+    CAPTURE(at_rest);
+    const double own = at_rest < 0.02 ? 0.9 * at_rest : 0.02;  // without the slack
+    Guarded guarded(crossing_edges(at_rest), R"(, "thickness": 0.02, "stiffness": 3)");
+    for (const int v : {2, 3}) guarded.x.add(v, {0, 0, own / 2 - at_rest});
+    guarded.stage->detect(guarded.x);
+    const double energy = 3 * 0.02 * own * std::log(2) / 8;
+    CHECK(guarded.stage->add(guarded.x, nullptr) == Approx(energy).epsilon(1e-4));
+  }
 }
 
 TEST_CASE("edges all of whose vertices are pinned are not guarded") {
@@ -129,7 +144,8 @@ TEST_CASE("edges all of whose vertices are pinned are not guarded") {
 }
 
 TEST_CASE("edges that cross at rest are not guarded") {
-  Guarded guarded(crossing_edges(0), R"(, "thickness": 0.02)");
+  const double rounding = GENERATE(0.0, 1e-9);
+  Guarded guarded(crossing_edges(rounding), R"(, "thickness": 0.02)");
   for (const int v : {2, 3}) guarded.x.add(v, {0, 0, 0.01});
   guarded.stage->detect(guarded.x);
   CHECK(guarded.limit(fall_of_upper(0.02)) == 1);
