@@ -18,14 +18,19 @@ double free_part_of_pair(const EdgePair& pair, std::span<const Eigen::Vector3d> 
 
 }  // namespace
 
-int ContinuousDetection::count_crossings(std::span<const Eigen::Vector3d> from,
-                                         std::span<const Eigen::Vector3d> to) {
-  const std::vector<EdgePair> pairs = find(from, to, 0);
+std::vector<EdgePair> ContinuousDetection::find_crossings(std::span<const Eigen::Vector3d> from,
+                                                          std::span<const Eigen::Vector3d> to) {
+  std::vector<EdgePair> pairs = find(from, to, 0);
   std::vector<char> crosses(pairs.size());
   parallel_for_each(static_cast<int>(pairs.size()), [&](int p) {
     crosses[p] = free_part_of_pair(pairs[p], from, to, vanishing) < 1 ? 1 : 0;
   });
-  return static_cast<int>(std::count(crosses.begin(), crosses.end(), 1));
+  std::size_t kept = 0;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (crosses[p] != 0) pairs[kept++] = pairs[p];
+  }
+  pairs.resize(kept);
+  return pairs;
 }
 
 double free_part_of_pairs(std::span<const EdgePair> pairs, std::span<const double> thickness,

@@ -20,8 +20,9 @@ class ContinuousDetection {
                              std::span<const Eigen::Vector3d> to, double reach) {
     return swept_pairs_.find(from, to, reach, rule_);
   }
-  /// How many pairs of edges pass through each other on the way.
-  int count_crossings(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to);
+  /// The allowed pairs that pass through each other on the way; sorted.
+  std::vector<EdgePair> find_crossings(std::span<const Eigen::Vector3d> from,
+                                       std::span<const Eigen::Vector3d> to);
 
  private:
   const ContactRule& rule_;

@@ -140,6 +140,7 @@ void FclStage::begin_step(const VertexField& x_n, double time_end, double dt) {
 }
 
 void FclStage::detect(const VertexField& x) {
+  if (audit_) follow(x);
   find_candidates(x);
   if (friction_.is_wanted()) lag_friction(x);
 }
@@ -236,10 +237,15 @@ void FclStage::lag_friction(const VertexField& x) {
   });
 }
 
+void FclStage::follow(const VertexField& x) {
+  gather(x);
+  audit_->follow(positions_);
+}
+
 void FclStage::end_step(const VertexField& x) {
   if (!audit_) return;
-  gather(x);
-  audit_->end_step(positions_, report_);
+  follow(x);
+  audit_->end_step(report_);
 }
 
 bool FclStage::can_reach(const VertexField& x_n, VertexField& guess) {

@@ -78,6 +78,7 @@ class FclStage final : public CollisionStage {
              double reach);
   void find_candidates(const VertexField& x);
   void gather(const VertexField& x);
+  void follow(const VertexField& x);
   void limit_thickness();
   double stiffness_of(int pair) const;
   void evaluate(const VertexField& x);

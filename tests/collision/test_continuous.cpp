@@ -10,9 +10,32 @@ namespace {
 
 using Segments = std::array<Eigen::Vector3d, 4>;
 
+Segments at_part(const Segments& from, const Segments& to, double part) {
+  Segments at;
+  for (int i = 0; i < 4; ++i) at[i] = (1 - part) * from[i] + part * to[i];
+  return at;
+}
+
+/// Six times the volume between the segments, which changes its sign where their lines meet.
+double volume(const Segments& at) {
+  return (at[1] - at[0]).cross(at[3] - at[2]).dot(at[2] - at[0]);
+}
+
+/// Whether the segments meet on the way between two samples, in their insides.
+bool meet(const Segments& before, const Segments& after) {
+  const double v = volume(before), w = volume(after);
+  if (v * w > 0) return false;
+  const Segments at = at_part(before, after, v / (v - w));
+  const auto [s, t, squared_distance] =
+      closest_points(from_eigen(at[0]), from_eigen(at[1]), from_eigen(at[2]), from_eigen(at[3]));
+  return s > 0.01 && s < 0.99 && t > 0.01 && t < 0.99;
+}
+
 double distance_at(const Segments& from, const Segments& to, double part) {
-  const auto at = [&](int i) { return from_eigen((1 - part) * from[i] + part * to[i]); };
-  return std::sqrt(closest_points(at(0), at(1), at(2), at(3)).squared_distance);
+  const Segments at = at_part(from, to, part);
+  return std::sqrt(
+      closest_points(from_eigen(at[0]), from_eigen(at[1]), from_eigen(at[2]), from_eigen(at[3]))
+          .squared_distance);
 }
 
 }  // namespace
@@ -54,6 +77,28 @@ TEST_CASE("within their free part, random segments stay apart") {
     if (whole > 1.01 * floor) CHECK(part == 1);
   }
   CHECK(blocked > 20);
+}
+
+TEST_CASE("segments that pass through each other are never free to") {
+  const unsigned seed = 71;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  int passed = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    Segments from, to;
+    for (auto& p : from) p = random_point(random, 1);
+    for (auto& p : to) p = random_point(random, 1);
+    int meetings = 0;
+    for (int i = 0; i < 1000; ++i) {
+      if (!meet(at_part(from, to, i / 1000.0), at_part(from, to, (i + 1) / 1000.0))) continue;
+      if (++meetings > 1) continue;
+      const double part = free_part_of_segments(from, to, 1e-6);
+      CHECK(part < (i + 1) / 1000.0);
+      CHECK(part > i / 1000.0 - 1e-3);
+    }
+    if (meetings > 0) ++passed;
+  }
+  CHECK(passed > 20);
 }
 
 TEST_CASE("every pair of edges that comes near on the way is found") {
