@@ -12,8 +12,8 @@ inline constexpr double vanishing = 1e-6;
 class ContinuousDetection {
  public:
   /// The arguments outlive this.
-  ContinuousDetection(const std::vector<EdgeChunk>& chunks, const ContactRule& rule)
-      : rule_(rule), swept_pairs_(chunks) {}
+  ContinuousDetection(const Strands& strands, const ContactRule& rule)
+      : rule_(rule), swept_pairs_(strands) {}
 
   /// Every allowed pair that comes nearer than reach, m, on the way, and others; sorted.
   std::vector<EdgePair> find(std::span<const Eigen::Vector3d> from,

@@ -112,7 +112,7 @@ void FclStage::bind_strand_contacts(const Strands& strands) {
   if (!parameters_.push_at_rest) {
     rest_pairs_.emplace(strands, *detector_, parameters_.thickness, parameters_.rest_slack);
   }
-  if (parameters_.audit || response_->is_barrier()) continuous_.emplace(chunks_, *rule_);
+  if (parameters_.audit || response_->is_barrier()) continuous_.emplace(strands, *rule_);
 }
 
 std::vector<Pin> FclStage::pins(const std::vector<Eigen::Vector3d>& positions) const {

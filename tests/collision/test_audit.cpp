@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include "collision/audit.h"
 #include "tests/catch.h"
 #include "tests/collision/random_strands.h"
@@ -9,9 +11,8 @@ namespace {
 /// An edge along x and one along y, above it; an audit of them.
 struct Audited {
   Strands strands{{2, 2}, {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0.5}, {0, 1, 0.5}}, Material{}};
-  std::vector<EdgeChunk> chunks = make_edge_chunks(strands);
   ContactRule rule{strands, 0};
-  ContinuousDetection continuous{chunks, rule};
+  ContinuousDetection continuous{strands, rule};
   ColliderContacts colliders{{}, {nullptr, 1, 1}, 0};
   Audit audit{&continuous, colliders};
 
@@ -49,8 +50,9 @@ TEST_CASE("the audit sees that an edge went around the end of another") {
 TEST_CASE("the audit sees no crossing in a motion of all") {
   Audited audited;
   const Points start = rest_positions(audited.strands);
-  const Eigen::Isometry3d turn(Eigen::Translation3d(5, 0, 0) *
-                               Eigen::AngleAxisd(3, Eigen::Vector3d::UnitX()));
+  const Eigen::Isometry3d turn(
+      Eigen::Translation3d(5, 0, 0) *
+      Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d(1, 1, 0).normalized()));
   Points end;
   for (const auto& p : start) end.push_back(turn * p);
   audited.audit.begin_step(start);

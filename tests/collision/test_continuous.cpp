@@ -104,7 +104,6 @@ TEST_CASE("segments that pass through each other are never free to") {
 TEST_CASE("every pair of edges that comes near on the way is found") {
   std::mt19937 random(59);
   const Strands strands = random_bundle(random, 20);
-  const std::vector<EdgeChunk> chunks = make_edge_chunks(strands);
   const ContactRule rule(strands, 2e-3);
   const Points from = rest_positions(strands);
   Points to;
@@ -113,7 +112,7 @@ TEST_CASE("every pair of edges that comes near on the way is found") {
   for (int v = 0; v < strands.vertex_count(); ++v)
     to.push_back(from[v] + drift[strands.strand_of(v)]);
 
-  SweptPairs swept(chunks);
+  SweptPairs swept(strands);
   swept.find(to, from, 0, rule);  // the second search refits
   const std::vector<EdgePair> pairs = swept.find(from, to, 1e-3, rule);
   CHECK(std::is_sorted(pairs.begin(), pairs.end()));
