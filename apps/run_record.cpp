@@ -15,11 +15,9 @@ std::string status(const RunRecord& record) {
 
 Json milliseconds(const RunRecord& record) {
   const StageSeconds& seconds = record.seconds;
-  return {{"detect", 1e3 * seconds.detect},
-          {"evaluate", 1e3 * seconds.evaluate},
-          {"solve", 1e3 * seconds.solve},
-          {"line_search", 1e3 * seconds.line_search},
-          {"steps", 1e3 * record.step_seconds}};
+  return {{"detect", 1e3 * seconds.detect},           {"couple", 1e3 * seconds.couple},
+          {"evaluate", 1e3 * seconds.evaluate},       {"solve", 1e3 * seconds.solve},
+          {"line_search", 1e3 * seconds.line_search}, {"steps", 1e3 * record.step_seconds}};
 }
 
 Json size_of(const Model& model) {
@@ -48,6 +46,7 @@ void RunRecord::add(const StepReport& report, double duration) {
   ++steps;
   step_seconds += duration;
   seconds.detect += report.seconds.detect;
+  seconds.couple += report.seconds.couple;
   seconds.evaluate += report.seconds.evaluate;
   seconds.solve += report.seconds.solve;
   seconds.line_search += report.seconds.line_search;

@@ -101,7 +101,7 @@ struct BoxTree::Tree {
   std::vector<Node*> leaves;  // of each bundle
   Hierarchy hierarchy;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // from which lanes see boxes
-  std::vector<Query> queries;
+  std::vector<Query> queries, smaller_queries;
 
   void refit_bundles(std::span<const BoundingBox> boxes) {
     origin = boxes[0].center();
@@ -141,19 +141,19 @@ struct BoxTree::Tree {
   }
 
   void find_queries() {
-    queries = {{hierarchy.getRoot(), hierarchy.getRoot()}};
+    queries.assign(1, {hierarchy.getRoot(), hierarchy.getRoot()});
     for (bool can_be_split = true; can_be_split && queries.size() < query_parts;) {
-      std::vector<Query> smaller;
+      smaller_queries.clear();
       can_be_split = false;
       for (const Query& query : queries) {
         if (is_pair_of_leaves(query)) {
-          smaller.push_back(query);
+          smaller_queries.push_back(query);
           continue;
         }
         can_be_split = true;
-        split(query, [&](const Query& part) { smaller.push_back(part); });
+        split(query, [&](const Query& part) { smaller_queries.push_back(part); });
       }
-      queries = std::move(smaller);
+      std::swap(queries, smaller_queries);
     }
   }
 };

@@ -136,28 +136,28 @@ std::vector<Pin> ColliderContacts::pins(std::span<const Eigen::Vector3d> positio
   for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
     const ColliderPlacement& placement = colliders_[c]->placement();
     if (!placement.pins) continue;
+    std::vector<int> inside;
     for (const EdgeChunk& chunk : *chunks_) {
-      for (const int vertex : find_near(c, chunk, false, positions, 0)) {
-        pins.push_back({vertex, placement.motion.name});
-      }
+      find_near(c, chunk, false, positions, 0, inside);
+      for (const int vertex : inside) pins.push_back({vertex, placement.motion.name});
     }
   }
   return pins;
 }
 
-std::vector<int> ColliderContacts::find_near(int collider, const EdgeChunk& chunk, bool free_only,
-                                             std::span<const Eigen::Vector3d> positions,
-                                             double reach) const {
+void ColliderContacts::find_near(int collider, const EdgeChunk& chunk, bool free_only,
+                                 std::span<const Eigen::Vector3d> positions, double reach,
+                                 std::vector<int>& vertices) const {
   const Eigen::Isometry3d to_collider = placements_[collider].inverse();
   Neighbourhood neighbourhood;
-  std::vector<int> vertices;
+  vertices.clear();
   for (int v = chunk.first; v < chunk.first + chunk.vertices; ++v) {
     if (free_only && !is_free_[v]) continue;
     neighbourhood.points[vertices.size()] = to_collider * positions[v];
     vertices.push_back(v);
   }
   const int count = static_cast<int>(vertices.size());
-  if (count == 0) return vertices;
+  if (count == 0) return;
   neighbourhood.ask(*colliders_[collider], count, reach);
   int kept = 0;
   for (int n = 0; n < count; ++n) {
@@ -165,7 +165,6 @@ std::vector<int> ColliderContacts::find_near(int collider, const EdgeChunk& chun
     if (found && found->distance < reach) vertices[kept++] = vertices[n];
   }
   vertices.resize(kept);
-  return vertices;
 }
 
 // A distance to a collider changes by no more than the vertex moves in the collider's frame.
@@ -184,13 +183,13 @@ void ColliderContacts::detect(std::span<const Eigen::Vector3d> positions,
   vertices_.clear();
   collider_of_.clear();
   batches_.clear();
-  std::vector<std::vector<int>> near(chunks_->size());
+  near_.resize(chunks_->size());
   for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
     parallel_for_each(static_cast<int>(chunks_->size()), [&](int n) {
-      near[n] =
-          find_near(c, (*chunks_)[n], true, positions, law_.thickness + margin.value_or(margin_));
+      find_near(c, (*chunks_)[n], true, positions, law_.thickness + margin.value_or(margin_),
+                near_[n]);
     });
-    for (const std::vector<int>& part : near) {
+    for (const std::vector<int>& part : near_) {
       if (part.empty()) continue;
       const int begin = candidate_count();
       vertices_.insert(vertices_.end(), part.begin(), part.end());

@@ -65,9 +65,10 @@ class ColliderContacts {
   std::vector<int> find_reachable(int collider, std::span<const Eigen::Vector3d> start,
                                   std::span<const Eigen::Vector3d> to,
                                   const Movement& movement) const;
-  /// Of a chunk's own vertices, those nearer to a collider than reach.
-  std::vector<int> find_near(int collider, const EdgeChunk& chunk, bool free_only,
-                             std::span<const Eigen::Vector3d> positions, double reach) const;
+  /// Of a chunk's own vertices, those nearer to a collider than reach: replaces `vertices`.
+  void find_near(int collider, const EdgeChunk& chunk, bool free_only,
+                 std::span<const Eigen::Vector3d> positions, double reach,
+                 std::vector<int>& vertices) const;
 
   std::vector<std::unique_ptr<Collider>> colliders_;
   ContactLaw law_;
@@ -78,6 +79,7 @@ class ColliderContacts {
   std::vector<Eigen::Isometry3d> placements_;   // of each collider's frame
   std::vector<Eigen::Isometry3d> since_begin_;  // the motion of each in this step
   std::vector<Eigen::Isometry3d> detected_;     // the placements at the last detect()
+  std::vector<std::vector<int>> near_;          // vertices of each chunk
   std::vector<int> vertices_;
   std::vector<int> collider_of_;  // of each candidate
   std::vector<Batch> batches_;

@@ -34,16 +34,15 @@ int EdgeBoxes::part_count() const {
   return tree_->part_count() + (chunks + chunks_a_part - 1) / chunks_a_part;
 }
 
-std::vector<BoxPair> EdgeBoxes::find_chunks(int part) const {
-  std::vector<BoxPair> found;
+void EdgeBoxes::find_chunks(int part, std::vector<BoxPair>& found) const {
+  found.clear();
   if (part < tree_->part_count()) {
     tree_->find_pairs(part, found);
-    return found;
+    return;
   }
   const int begin = (part - tree_->part_count()) * chunks_a_part;
   const int end = std::min(begin + chunks_a_part, static_cast<int>(chunks_.size()));
   for (int c = begin; c < end; ++c) found.push_back({c, c});
-  return found;
 }
 
 }  // namespace ringlet

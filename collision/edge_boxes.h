@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <optional>
 
 #include "collision/box_lanes.h"
@@ -50,7 +52,9 @@ class EdgeBoxes {
   /// floats. Thread-safe.
   template <class Visit>
   void for_each_pair(int part, const Visit& visit) const {
-    for (const BoxPair& chunks : find_chunks(part)) visit_pairs(chunks, visit);
+    std::vector<BoxPair>& near = near_.local();
+    find_chunks(part, near);
+    for (const BoxPair& chunks : near) visit_pairs(chunks, visit);
   }
 
  private:
@@ -61,7 +65,8 @@ class EdgeBoxes {
   };
 
   void refit();
-  std::vector<BoxPair> find_chunks(int part) const;
+  /// Replaces `found`.
+  void find_chunks(int part, std::vector<BoxPair>& found) const;
 
   template <class Visit>
   void visit_pairs(const BoxPair& chunks, const Visit& visit) const {
@@ -79,6 +84,7 @@ class EdgeBoxes {
   std::vector<BoundingBox> boxes_;  // of the chunks
   std::vector<Sides> sides_;        // of the chunks
   std::optional<BoxTree> tree_;
+  mutable tbb::enumerable_thread_specific<std::vector<BoxPair>> near_;  // kept for the memory alone
 };
 
 }  // namespace ringlet

@@ -170,7 +170,8 @@ bool FclStage::is_covered(std::span<const Eigen::Vector3d> from,
   if (!movement_.has_started()) return false;
   const double allowed = (parameters_.thickness + *parameters_.margin - reach) / 2;
   const Eigen::Isometry3d common = movement_.rigid_part(to);
-  return movement_.is_within(allowed, from, common) && movement_.is_within(allowed, to, common);
+  return movement_.is_within(allowed, to, common) &&
+         (from.data() == to.data() || movement_.is_within(allowed, from, common));
 }
 
 void FclStage::collect_candidates() {
@@ -209,7 +210,7 @@ void FclStage::evaluate(const VertexField& x) {
 void FclStage::add_touching(int first, int count, const VertexField& x,
                             std::vector<Touching::Found>& found) const {
   const std::span<const EdgePair> pairs(&pairs_[first], count);
-  const SegmentGaps gaps(pairs, x);
+  const SegmentGaps gaps(pairs, x, parameters_.thickness);
   for (int n = 0; n < count; ++n) {
     const EdgePair& pair = pairs[n];
     const ContactLaw law{response_.get(), thickness_[first + n], stiffness_of(first + n)};

@@ -1,6 +1,7 @@
 #include "collision/movement.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "core/parallel.h"
 
@@ -32,7 +33,7 @@ Eigen::Isometry3d Movement::rigid_part(std::span<const Eigen::Vector3d> position
 bool Movement::is_within(double distance, std::span<const Eigen::Vector3d> positions,
                          const Eigen::Isometry3d& motion) const {
   const std::size_t parts = (positions.size() + part_size - 1) / part_size;
-  std::vector<char> within(parts);
+  std::atomic<bool> within = true;
   parallel_for_each(static_cast<int>(parts), [&](int part) {
     const std::size_t begin = part * part_size;
     const std::size_t end = std::min(begin + part_size, positions.size());
@@ -40,9 +41,9 @@ bool Movement::is_within(double distance, std::span<const Eigen::Vector3d> posit
     for (std::size_t v = begin; v < end; ++v) {
       all &= (positions[v] - motion * start_[v]).squaredNorm() <= distance * distance;
     }
-    within[part] = all ? 1 : 0;
+    if (!all) within = false;
   });
-  return std::find(within.begin(), within.end(), 0) == within.end();
+  return within;
 }
 
 void bring_to(std::span<const Eigen::Vector3d> end, std::vector<Eigen::Vector3d>& start) {

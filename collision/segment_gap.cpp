@@ -1,5 +1,7 @@
 #include "collision/segment_gap.h"
 
+#include <limits>
+
 #include "collision/segment_distance.h"
 
 namespace ringlet {
@@ -26,8 +28,9 @@ struct Gap {
 // m = e |p - q|^2 / growth: for a fixed m that of a quadratic function.
 template <class S>
 Gap<S> measure(const Vector3<S>& p0, const Vector3<S>& p1, const Vector3<S>& q0,
-               const Vector3<S>& q1) {
+               const Vector3<S>& q1, double reach) {
   SegmentProximity<S> at = closest_points(p0, p1, q0, q1);
+  if (!any(at.squared_distance < S(reach * reach))) return {sqrt(at.squared_distance), {}, {}};
   for (int i = 0; i < corrections; ++i) {
     at = closest_points(p0, p1, q0, q1, S(S(preference) * at.squared_distance / growth(at)));
   }
@@ -54,14 +57,15 @@ Vector3<double> crossing_normal(const Vector3<double>& d, const Vector3<double>&
 SegmentGap segment_gap(const std::array<Eigen::Vector3d, 4>& vertices) {
   const Vector3<double> p0 = from_eigen(vertices[0]), p1 = from_eigen(vertices[1]);
   const Vector3<double> q0 = from_eigen(vertices[2]), q1 = from_eigen(vertices[3]);
-  const Gap<double> gap = measure(p0, p1, q0, q1);
+  const Gap<double> gap = measure(p0, p1, q0, q1, std::numeric_limits<double>::infinity());
   const bool cross = gap.distance == 0;
   return {gap.distance, gap.weights,
           to_eigen(cross ? crossing_normal(p1 - p0, q1 - q0) : gap.normal)};
 }
 
 // Packs handed over to functions in memory would cost more than the sums, hence flatten.
-[[gnu::flatten]] SegmentGaps::SegmentGaps(std::span<const EdgePair> pairs, const VertexField& x) {
+[[gnu::flatten]] SegmentGaps::SegmentGaps(std::span<const EdgePair> pairs, const VertexField& x,
+                                          double reach) {
   const int last = static_cast<int>(pairs.size()) - 1;
   const auto vertices = [&](auto member, int next) {
     Vector3<Pack> v;
@@ -73,8 +77,9 @@ SegmentGap segment_gap(const std::array<Eigen::Vector3d, 4>& vertices) {
     }
     return v;
   };
-  const Gap<Pack> gap = measure(vertices(&EdgePair::first, 0), vertices(&EdgePair::first, 1),
-                                vertices(&EdgePair::second, 0), vertices(&EdgePair::second, 1));
+  const Gap<Pack> gap =
+      measure(vertices(&EdgePair::first, 0), vertices(&EdgePair::first, 1),
+              vertices(&EdgePair::second, 0), vertices(&EdgePair::second, 1), reach);
   distance_ = gap.distance;
   weights_ = gap.weights;
   normal_ = gap.normal;

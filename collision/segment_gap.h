@@ -33,10 +33,12 @@ SegmentGap segment_gap(const std::array<Eigen::Vector3d, 4>& vertices);
 /// The gaps of up to lane_count pairs of edges, measured side by side.
 class SegmentGaps {
  public:
-  SegmentGaps(std::span<const EdgePair> pairs, const VertexField& x);
+  /// Where no pair is nearer than reach, m, only that is found out.
+  SegmentGaps(std::span<const EdgePair> pairs, const VertexField& x, double reach);
 
+  /// No less than reach where a pair is not nearer.
   const Pack& distances() const { return distance_; }
-  /// The gap of a pair that does not cross.
+  /// The gap of a pair that is nearer than reach, but does not cross.
   SegmentGap of(int pair) const;
 
  private:

@@ -47,14 +47,23 @@ class Touching {
     for_each([&](int, const Contact& contact) { largest = std::max(largest, contact.depth); });
     return largest;
   }
-  void add_terms(Couplings& couplings) const {
-    const std::span<CouplingTerm> terms = couplings.append(count());
-    std::size_t next = 0;
-    for_each([&](int, const Contact& contact) { terms[next++] = contact.term(); });
+  void add_terms(Couplings& couplings) {
+    int terms_so_far = 0;
+    first_terms_.clear();
+    for (const auto& part : parts_) {
+      first_terms_.push_back(terms_so_far);
+      terms_so_far += static_cast<int>(part.size());
+    }
+    const std::span<CouplingTerm> terms = couplings.append(terms_so_far);
+    parallel_for_each(static_cast<int>(parts_.size()), [&](int p) {
+      int term = first_terms_[p];
+      for (const auto& [candidate, contact] : parts_[p]) terms[term++] = contact.term();
+    });
   }
 
  private:
   std::vector<std::vector<Found>> parts_;  // those without candidates are kept for later
+  std::vector<int> first_terms_;           // of each part
 };
 
 }  // namespace ringlet

@@ -9,6 +9,8 @@ namespace ringlet {
 namespace {
 
 constexpr int not_coupled = -1;
+/// For a group.
+constexpr int none = -1;
 
 }  // namespace
 
@@ -26,6 +28,12 @@ void Couplings::clear() {
 std::span<CouplingTerm> Couplings::append(int count) {
   terms_.resize(terms_.size() + count);
   return std::span(terms_).last(count);
+}
+
+double Couplings::value() const {
+  double sum = 0;
+  for (const CouplingTerm& term : terms_) sum += term.value;
+  return sum;
 }
 
 bool Couplings::is_one_part(const CouplingTerm& term) const {
@@ -64,21 +72,25 @@ void Couplings::finish(const VertexScalars& free) {
 }
 
 void Couplings::distribute() {
-  const auto add_part = [&](int t, int first, int end) {
-    for (int i = first; i < end; ++i) {
-      if (terms_[t].weights[i] == 0) continue;
-      of_group_[groups_->group_of(terms_[t].vertices[i])].parts.push_back({t, first, end});
-      return;
-    }
-  };
-  for (int t = 0; t < static_cast<int>(terms_.size()); ++t) {
-    if (is_one_part(terms_[t])) {
-      add_part(t, 0, 4);
-    } else {
-      add_part(t, 0, 2);
-      add_part(t, 2, 4);
-    }
+  const int count = static_cast<int>(terms_.size());
+  split_.resize(count);
+  parallel_for_each(count, [&](int t) { split_[t] = split(terms_[t]); });
+  for (int t = 0; t < count; ++t) {
+    const auto [whole, first, second] = split_[t];
+    if (first != none) of_group_[first].parts.push_back({t, 0, whole ? 4 : 2});
+    if (second != none) of_group_[second].parts.push_back({t, 2, 4});
   }
+}
+
+Couplings::Split Couplings::split(const CouplingTerm& term) const {
+  const auto group_of = [&](int first, int end) {
+    for (int i = first; i < end; ++i) {
+      if (term.weights[i] != 0) return groups_->group_of(term.vertices[i]);
+    }
+    return none;
+  };
+  if (is_one_part(term)) return {true, group_of(0, 4), none};
+  return {false, group_of(0, 2), group_of(2, 4)};
 }
 
 /// Leaves the numbers of vertices in rows and columns, and marks the places of the rows.

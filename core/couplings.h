@@ -19,6 +19,7 @@ struct CouplingTerm {
   /// where they have weight.
   std::array<int, 4> vertices;
   std::array<double, 4> weights;  ///< 0: the vertex takes no part
+  double value;                   ///< E, J
   Eigen::Vector3d gradient;       ///< g
   Eigen::Matrix3d curvature;      ///< C, symmetric and positive semi-definite
 };
@@ -44,6 +45,8 @@ class Couplings {
   void finish(const VertexScalars& free);
 
   bool empty() const { return terms_.empty(); }
+  /// The sum of the terms, J.
+  double value() const;
   /// Adds the gradients of the terms to the rows of a group.
   void add_gradient(int group, std::span<Vector3<Pack>> rows) const;
   /// Adds what fits there to the bands of a group.
@@ -97,6 +100,11 @@ class Couplings {
     Eigen::Matrix3d full() const;
     Vector3<double> force(const Vector3<double>& u) const;
   };
+  /// The groups of the two edges of a term; -1: none. All of it is with the first if it is whole.
+  struct Split {
+    bool is_whole;
+    int first_group, second_group;
+  };
   struct OfGroup {
     std::vector<Part> parts;
     std::vector<Felt> felt;
@@ -113,12 +121,14 @@ class Couplings {
   bool is_one_part(const CouplingTerm& term) const;
   bool fit_into_band(int i, int j) const;
   void distribute();
+  Split split(const CouplingTerm& term) const;
   void find_felt(int group, const VertexScalars& free);
   FreeEnd free_end(const CouplingTerm& term, int first, const VertexScalars& free) const;
   void number_coupled(int group);
 
   const StrandGroups* groups_ = nullptr;
   std::vector<CouplingTerm> terms_;
+  std::vector<Split> split_;  ///< of each term
   std::vector<OfGroup> of_group_;
   std::vector<int> coupled_;
   std::vector<int> place_;  ///< of each vertex among these; -1: none

@@ -74,6 +74,14 @@ double PotentialTerms::magnitude() const {
   return sum;
 }
 
+IncrementalPotential::IncrementalPotential(const Model& model, const VertexField& inertial_target,
+                                           double h)
+    : model_(model),
+      target_(inertial_target),
+      inverse_h2_(1 / (h * h)),
+      terms_of_groups_(model.groups.count() * term_count()),
+      squared_gradients_(model.groups.count()) {}
+
 double IncrementalPotential::inertia(int group, const VertexField& x) const {
   const auto rows = x.group(group), target = target_.group(group);
   const Pack* mass = &model_.mass[model_.groups[group].first_row];
@@ -108,44 +116,40 @@ void IncrementalPotential::write_rows(int group, const VertexField& x, const Edg
   }
 }
 
-PotentialTerms IncrementalPotential::sum(std::span<const double> terms_of_groups) const {
-  PotentialTerms total;
+void IncrementalPotential::sum_terms(PotentialTerms& total) {
+  total.inertia = total.forces = 0;
   total.energies.assign(model_.energies.size(), 0.0);
   for (int g = 0; g < model_.groups.count(); ++g) {
-    const auto terms = terms_of_groups.subspan(g * term_count(), term_count());
+    const auto terms = terms_of(g);
     total.inertia += terms.front();
     for (std::size_t e = 0; e < total.energies.size(); ++e) total.energies[e] += terms[e + 1];
     total.forces += terms.back();
   }
-  return total;
 }
 
-PotentialTerms IncrementalPotential::value(const VertexField& x) const {
-  std::vector<double> terms(model_.groups.count() * term_count());
+void IncrementalPotential::value(const VertexField& x, PotentialTerms& terms) {
   parallel_for_each(model_.groups.count(), [&](int g) {
-    const std::span of_group = std::span(terms).subspan(g * term_count(), term_count());
+    const std::span of_group = terms_of(g);
     of_group.front() = inertia(g, x);
+    of_group.back() = 0;
     add_energies(g, x, {}, of_group);
     add_forces(g, x, {}, of_group);
   });
-  PotentialTerms total = sum(terms);
-  if (model_.collision) total.contacts = model_.collision->add(x, nullptr);
-  return total;
+  sum_terms(terms);
+  terms.contacts = model_.collision ? model_.collision->add(x, nullptr) : 0;
 }
 
-IncrementalPotential::Assembled IncrementalPotential::assemble(
-    const VertexField& x, VertexField& gradient, SystemMatrix& matrix, LinearSolver& solver,
-    VertexField& direction, double added) const {
-  double contacts = 0;
-  if (model_.collision) {
-    matrix.couplings.clear();
-    contacts = model_.collision->add(x, &matrix.couplings);
-    matrix.couplings.finish(model_.free);
-  }
+void IncrementalPotential::couple(const VertexField& x, SystemMatrix& matrix) const {
+  matrix.couplings.clear();
+  model_.collision->add(x, &matrix.couplings);
+  matrix.couplings.finish(model_.free);
+}
+
+void IncrementalPotential::assemble(const VertexField& x, VertexField& gradient,
+                                    SystemMatrix& matrix, LinearSolver& solver,
+                                    VertexField& direction, Assembled& result, double added) {
   const bool keep_all = solver.band_factor() == nullptr;
   if (keep_all || matrix.couples_strands()) matrix.keep_bands();
-  std::vector<double> terms(model_.groups.count() * term_count());
-  std::vector<double> squared_gradients(model_.groups.count());
   parallel_for_each(model_.groups.count(), [&](int g) {
     const bool coupled = matrix.couplings.touches(g);
     const GroupBands bands =
@@ -153,23 +157,23 @@ IncrementalPotential::Assembled IncrementalPotential::assemble(
     const auto rows = gradient.group(g);
     std::fill(rows.begin(), rows.end(), Vector3<Pack>{0, 0, 0});
     matrix.couplings.add_gradient(g, rows);
-    const std::span of_group = std::span(terms).subspan(g * term_count(), term_count());
+    const std::span of_group = terms_of(g);
     of_group.front() = inertia(g, x);
+    of_group.back() = 0;
     EdgeDerivatives& edges = matrix.temporary_edges(g);
     add_energies(g, x, edges.outputs(), of_group);
     write_rows(g, x, edges, inverse_h2_ + added, {rows, bands});
     add_forces(g, x, {rows, bands}, of_group);
     matrix.couplings.add_to_bands(g, bands);
     const std::span free = std::span(model_.free).subspan(model_.groups[g].first_row, bands.rows());
-    squared_gradients[g] = pin_gradient(rows, free);
+    squared_gradients_[g] = pin_gradient(rows, free);
     pin_rows(bands, free);
     solver.prepare_group({g, bands, rows, coupled}, direction.group(g));
   });
-  Assembled result{sum(terms)};
-  result.terms.contacts = contacts;
+  sum_terms(result.terms);
+  result.terms.contacts = matrix.couplings.value();
   result.squared_gradient =
-      std::accumulate(squared_gradients.begin(), squared_gradients.end(), 0.0);
-  return result;
+      std::accumulate(squared_gradients_.begin(), squared_gradients_.end(), 0.0);
 }
 
 std::optional<std::string> find_non_finite(const Model& model, const VertexField& x) {

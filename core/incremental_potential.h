@@ -27,25 +27,28 @@ struct PotentialTerms {
 ///     Phi(x) = (x - y)^T M (x - y) / (2 h^2) + sum of energies + sum of forces + contacts
 ///
 /// y is the inertial target, h the effective time step: for BDF-1 y = x_n + dt v_n and h = dt.
-/// Pinned vertices are not unknowns: they stand where x has them.
+/// Pinned vertices are not unknowns: they stand where x has them. Keeps the memory of its sums
+/// between calls.
 class IncrementalPotential {
  public:
   /// All references must outlive the potential.
-  IncrementalPotential(const Model& model, const VertexField& inertial_target, double h)
-      : model_(model), target_(inertial_target), inverse_h2_(1 / (h * h)) {}
+  IncrementalPotential(const Model& model, const VertexField& inertial_target, double h);
 
-  PotentialTerms value(const VertexField& x) const;
+  void value(const VertexField& x, PotentialTerms& terms);
 
+  /// Collects the contacts at x, as the collision stage has detected them, in the matrix. Before
+  /// assemble(), where there is a collision stage.
+  void couple(const VertexField& x, SystemMatrix& matrix) const;
   /// What assemble() computes, beside what it writes.
   struct Assembled {
     PotentialTerms terms;
     double squared_gradient = 0;  ///< |grad Phi|^2, N^2
   };
-  /// Value, gradient and filtered Hessian A plus `added` M; gradient is zero and the matrix
-  /// identity at pinned vertices. Each group's bands are handed to the solver's prepare_group()
-  /// when complete, which may already solve A x = gradient into the direction.
-  Assembled assemble(const VertexField& x, VertexField& gradient, SystemMatrix& matrix,
-                     LinearSolver& solver, VertexField& direction, double added = 0) const;
+  /// Value, gradient and filtered Hessian A plus `added` M, with the matrix's contacts; gradient is
+  /// zero and the matrix identity at pinned vertices. Each group's bands are handed to the solver's
+  /// prepare_group() when complete, which may already solve A x = gradient into the direction.
+  void assemble(const VertexField& x, VertexField& gradient, SystemMatrix& matrix,
+                LinearSolver& solver, VertexField& direction, Assembled& result, double added = 0);
 
  private:
   double inertia(int group, const VertexField& x) const;
@@ -58,11 +61,16 @@ class IncrementalPotential {
   void write_rows(int group, const VertexField& x, const EdgeDerivatives& edges, double mass_weight,
                   const GroupOutputs& outputs) const;
   std::size_t term_count() const { return model_.energies.size() + 2; }
-  PotentialTerms sum(std::span<const double> terms_of_groups) const;
+  std::span<double> terms_of(int group) {
+    return std::span(terms_of_groups_).subspan(group * term_count(), term_count());
+  }
+  void sum_terms(PotentialTerms& total);
 
   const Model& model_;
   const VertexField& target_;
   double inverse_h2_;
+  std::vector<double> terms_of_groups_;  // term_count() of each
+  std::vector<double> squared_gradients_;
 };
 
 /// Says in words where something is not finite: the first vertex whose position is not, or the

@@ -74,6 +74,7 @@ std::vector<Metric> list_metrics(const std::vector<std::string>& energy_types) {
       {"mean_rest_distance", [](Sample s) { return s.rest_distance.mean; }},
       {"max_rest_distance", [](Sample s) { return s.rest_distance.max; }},
       {"detect_ms", [](Sample s) { return 1e3 * s.report.seconds.detect; }},
+      {"couple_ms", [](Sample s) { return 1e3 * s.report.seconds.couple; }},
       {"evaluate_ms", [](Sample s) { return 1e3 * s.report.seconds.evaluate; }},
       {"solve_ms", [](Sample s) { return 1e3 * s.report.seconds.solve; }},
       {"line_search_ms", [](Sample s) { return 1e3 * s.report.seconds.line_search; }},

@@ -10,7 +10,11 @@ namespace ringlet {
 
 /// Seconds spent in each stage of a step.
 struct StageSeconds {
-  double detect = 0, evaluate = 0, solve = 0, line_search = 0;
+  double detect = 0;       ///< candidates for contacts are collected
+  double couple = 0;       ///< contacts are measured and sorted for the matrix
+  double evaluate = 0;     ///< energies and forces, and factors of strands
+  double solve = 0;        ///< the linear solver
+  double line_search = 0;  ///< values of the potential
 };
 
 /// What an integrator says about one step.

@@ -4,6 +4,7 @@
 //
 // and v = (x - x_n) / dt. First order; its numerical damping grows with dt.
 
+#include <optional>
 #include <utility>
 
 #include "core/integrator.h"
@@ -36,6 +37,7 @@ class Bdf1 final : public Integrator {
 
   void bind(const Model& model) override {
     target_ = positions_ = VertexField(model.groups);
+    potential_.emplace(model, target_, dt_);
     newton_.bind(model);
   }
 
@@ -56,7 +58,7 @@ class Bdf1 final : public Integrator {
         return report;
       }
     }
-    newton_.minimise(model, IncrementalPotential(model, target_, dt_), dt_, positions_, report);
+    newton_.minimise(model, *potential_, dt_, positions_, report);
     if (!report.failure.empty()) return report;
 
     update_velocities(state);
@@ -97,6 +99,7 @@ class Bdf1 final : public Integrator {
   double dt_;
   Newton newton_;
   VertexField target_, positions_;
+  std::optional<IncrementalPotential> potential_;  // of a step to the target
 };
 
 }  // namespace

@@ -41,8 +41,8 @@ void Newton::bind(const Model& model) {
   direction_sums_.resize(model.groups.count());
 }
 
-void Newton::minimise(Model& model, const IncrementalPotential& potential, double dt,
-                      VertexField& x, StepReport& report) {
+void Newton::minimise(Model& model, IncrementalPotential& potential, double dt, VertexField& x,
+                      StepReport& report) {
   report.newton_converged = false;
   is_assembled_ = false;
   Outcome outcome = Outcome::go_on;
@@ -52,7 +52,7 @@ void Newton::minimise(Model& model, const IncrementalPotential& potential, doubl
   if (outcome == Outcome::failed) return;
   if (!parameters_.line_search) {
     const StageTimer timer(report.seconds.evaluate);
-    assembled_.terms = potential.value(x);
+    potential.value(x, assembled_.terms);
     if (!std::isfinite(assembled_.terms.total())) {
       report.failure = describe_failure(model, x, report.newton_iterations,
                                         "the potential is not finite after the update");
@@ -66,17 +66,21 @@ void Newton::minimise(Model& model, const IncrementalPotential& potential, doubl
   }
 }
 
-void Newton::assemble(Model& model, const IncrementalPotential& potential, const VertexField& x,
+void Newton::assemble(Model& model, IncrementalPotential& potential, const VertexField& x,
                       StepReport& report) {
   if (model.collision) {
-    const StageTimer timer(report.seconds.detect);
-    model.collision->detect(x);
+    {
+      const StageTimer timer(report.seconds.detect);
+      model.collision->detect(x);
+    }
+    const StageTimer timer(report.seconds.couple);
+    potential.couple(x, *matrix_);
   }
   const StageTimer timer(report.seconds.evaluate);
-  assembled_ = potential.assemble(x, gradient_, *matrix_, *model.solver, direction_);
+  potential.assemble(x, gradient_, *matrix_, *model.solver, direction_, assembled_);
 }
 
-Newton::Outcome Newton::iterate(Model& model, const IncrementalPotential& potential, double dt,
+Newton::Outcome Newton::iterate(Model& model, IncrementalPotential& potential, double dt,
                                 VertexField& x, StepReport& report) {
   ++report.newton_iterations;
   if (!is_assembled_) assemble(model, potential, x, report);
@@ -107,8 +111,8 @@ Newton::Outcome Newton::iterate(Model& model, const IncrementalPotential& potent
   return report.newton_converged ? Outcome::done : Outcome::go_on;
 }
 
-bool Newton::find_direction(Model& model, const IncrementalPotential& potential,
-                            const VertexField& x, double dt, StepReport& report) {
+bool Newton::find_direction(Model& model, IncrementalPotential& potential, const VertexField& x,
+                            double dt, StepReport& report) {
   regularised_ = false;
   if (solve(*model.solver, report)) return true;
   regularised_ = true;
@@ -116,7 +120,7 @@ bool Newton::find_direction(Model& model, const IncrementalPotential& potential,
   for (int attempt = 0; attempt < regularisation_attempts; ++attempt) {
     {
       const StageTimer timer(report.seconds.evaluate);
-      potential.assemble(x, gradient_, *matrix_, *model.solver, direction_, weight);
+      potential.assemble(x, gradient_, *matrix_, *model.solver, direction_, assembled_, weight);
     }
     weight *= regularisation_growth;
     if (solve(*model.solver, report)) return true;
@@ -160,7 +164,7 @@ double Newton::longest_step(Model& model, const VertexField& x, StepReport& repo
 
 /// Moves x as far along the direction as the potential falls. False: it does not fall; x is
 /// unchanged.
-bool Newton::search_line(Model& model, const IncrementalPotential& potential, VertexField& x,
+bool Newton::search_line(Model& model, IncrementalPotential& potential, VertexField& x,
                          StepReport& report) {
   double alpha = longest_step(model, x, report);
   for (int halvings = 0; halvings <= halving_limit; ++halvings, alpha /= 2) {
@@ -176,10 +180,10 @@ bool Newton::search_line(Model& model, const IncrementalPotential& potential, Ve
       if (try_next_iteration(model, potential, x, report)) return true;
     } else {
       const StageTimer timer(report.seconds.line_search);
-      PotentialTerms terms = potential.value(trial_);
-      if (falls_enough(terms, alpha)) {
+      potential.value(trial_, next_.terms);
+      if (falls_enough(next_.terms, alpha)) {
         std::swap(x, trial_);
-        assembled_.terms = std::move(terms);
+        std::swap(assembled_.terms, next_.terms);
         return true;
       }
     }
@@ -188,15 +192,15 @@ bool Newton::search_line(Model& model, const IncrementalPotential& potential, Ve
   return false;
 }
 
-bool Newton::try_next_iteration(Model& model, const IncrementalPotential& potential, VertexField& x,
+bool Newton::try_next_iteration(Model& model, IncrementalPotential& potential, VertexField& x,
                                 StepReport& report) {
   const StageTimer timer(report.seconds.evaluate);
-  auto next = potential.assemble(trial_, next_gradient_, *matrix_, *model.solver, next_direction_);
-  if (!falls_enough(next.terms, 1)) return false;
+  potential.assemble(trial_, next_gradient_, *matrix_, *model.solver, next_direction_, next_);
+  if (!falls_enough(next_.terms, 1)) return false;
   std::swap(x, trial_);
   std::swap(gradient_, next_gradient_);
   std::swap(direction_, next_direction_);
-  assembled_ = std::move(next);
+  std::swap(assembled_, next_);
   is_assembled_ = true;
   return true;
 }

@@ -38,24 +38,24 @@ class Newton {
   /// Moves x, which holds the first guess with the pins in place, towards the minimum. Writes
   /// everything but the kinetic energy into the report. If the report names a failure, x is of no
   /// use.
-  void minimise(Model& model, const IncrementalPotential& potential, double dt, VertexField& x,
+  void minimise(Model& model, IncrementalPotential& potential, double dt, VertexField& x,
                 StepReport& report);
 
  private:
   enum class Outcome { go_on, done, failed };
-  Outcome iterate(Model& model, const IncrementalPotential& potential, double dt, VertexField& x,
+  Outcome iterate(Model& model, IncrementalPotential& potential, double dt, VertexField& x,
                   StepReport& report);
-  void assemble(Model& model, const IncrementalPotential& potential, const VertexField& x,
+  void assemble(Model& model, IncrementalPotential& potential, const VertexField& x,
                 StepReport& report);
-  bool find_direction(Model& model, const IncrementalPotential& potential, const VertexField& x,
+  bool find_direction(Model& model, IncrementalPotential& potential, const VertexField& x,
                       double dt, StepReport& report);
   bool solve(LinearSolver& solver, StepReport& report);
   void measure_direction();
   /// The alpha with which the line search begins.
   double longest_step(Model& model, const VertexField& x, StepReport& report);
-  bool search_line(Model& model, const IncrementalPotential& potential, VertexField& x,
+  bool search_line(Model& model, IncrementalPotential& potential, VertexField& x,
                    StepReport& report);
-  bool try_next_iteration(Model& model, const IncrementalPotential& potential, VertexField& x,
+  bool try_next_iteration(Model& model, IncrementalPotential& potential, VertexField& x,
                           StepReport& report);
   bool falls_enough(const PotentialTerms& terms, double alpha) const;
 
@@ -69,6 +69,7 @@ class Newton {
   VertexField next_gradient_, next_direction_;  ///< of the iteration that is tried
   std::vector<DirectionSums> direction_sums_;   ///< of each group
   IncrementalPotential::Assembled assembled_;   ///< at x
+  IncrementalPotential::Assembled next_;        ///< at what is tried
   bool is_assembled_ = false;  ///< gradient, matrix and direction are already those at x
   double slope_ = 0;           ///< d^T grad Phi, J
   double squared_update_ = 0;  ///< of the vertex that moves most, m^2

@@ -35,6 +35,7 @@ void bench_filters(const Registry& registry, const BenchOptions& options, BenchO
 void bench_step(const Registry& registry, const BenchOptions& options, BenchOutput& output);
 void bench_strand(const Registry& registry, const BenchOptions& options, BenchOutput& output);
 void bench_solvers(const Registry& registry, const BenchOptions& options, BenchOutput& output);
+void bench_colliders(const Registry& registry, const BenchOptions& options, BenchOutput& output);
 void bench_limits(const Registry& registry, const BenchOptions& options, BenchOutput& output);
 void bench_tolerance(const Registry& registry, const BenchOptions& options, BenchOutput& output);
 

@@ -26,6 +26,7 @@ Json hairball(int wisps) {
   for (const char* key : {"radius", "tip_radius"}) {
     scene["material"][key] = scale * scene["material"][key].get<double>();
   }
+  scene["collision"]["push_at_rest"] = true;
   if (wisps >= 8000) scene["collision"]["thickness"] = 5e-4;
   scene["run"]["write"] = Json::array();
   return scene;
@@ -46,6 +47,7 @@ void with_threads(int threads, const std::function<void()>& function) {
 
 Json as_json(const StageSeconds& stages) {
   return {{"detect", stages.detect},
+          {"couple", stages.couple},
           {"evaluate", stages.evaluate},
           {"solve", stages.solve},
           {"line_search", stages.line_search}};
@@ -73,6 +75,7 @@ StepFigures measure_steps(Simulation& simulation, int count) {
   StepFigures figures;
   figures.step = summarise(std::move(seconds));
   figures.stages.detect = median_of([](const StepReport& r) { return r.seconds.detect; });
+  figures.stages.couple = median_of([](const StepReport& r) { return r.seconds.couple; });
   figures.stages.evaluate = median_of([](const StepReport& r) { return r.seconds.evaluate; });
   figures.stages.solve = median_of([](const StepReport& r) { return r.seconds.solve; });
   figures.stages.line_search = median_of([](const StepReport& r) { return r.seconds.line_search; });

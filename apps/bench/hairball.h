@@ -8,7 +8,8 @@
 namespace ringlet {
 
 /// The hairball of Lifted Curls with that many wisps, as the paper scales it: radii by
-/// sqrt(2000/N), half the thickness for 8,000; nothing is written.
+/// sqrt(2000/N), half the thickness for 8,000; every pair within the thickness pushes, as there;
+/// nothing is written.
 Json hairball(int wisps);
 /// Without collision, three Newton iterations in every step.
 Json hairball_without_contacts(int wisps);
@@ -23,7 +24,7 @@ struct StepFigures {
   double newton_iterations = 0, linear_iterations = 0, contacts = 0;
 };
 
-/// {"detect", "evaluate", "solve", "line_search"}, s.
+/// {"detect", "couple", "evaluate", "solve", "line_search"}, s.
 Json as_json(const StageSeconds& stages);
 
 /// Takes so many steps. Throws Error if one of them fails.

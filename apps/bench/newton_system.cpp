@@ -21,7 +21,10 @@ int NewtonSystem::contacts() const {
 
 void NewtonSystem::assemble(LinearSolver& solver, SystemMatrix& matrix, VertexField& gradient,
                             VertexField& solution) const {
-  IncrementalPotential(model_, target_, dt_).assemble(x_, gradient, matrix, solver, solution);
+  IncrementalPotential potential(model_, target_, dt_);
+  if (model_.collision) potential.couple(x_, matrix);
+  IncrementalPotential::Assembled result;
+  potential.assemble(x_, gradient, matrix, solver, solution, result);
 }
 
 }  // namespace ringlet

@@ -138,6 +138,7 @@ std::vector<Column> columns() {
           {"step", "/seconds", milli},
           {"spread", "/spread", milli},
           {"detect", "/stages/detect", milli},
+          {"couple", "/stages/couple", milli},
           {"evaluate and factor", "/stages/evaluate", milli},
           {"solve", "/stages/solve", milli},
           {"line search", "/stages/line_search", milli},

@@ -19,17 +19,19 @@ class FclDetector final : public ContactDetector {
       const auto ends = positions.subspan(edge, 2);
       return BoundingBox(ends[0].cwiseMin(ends[1]), ends[0].cwiseMax(ends[1]));
     });
-    std::vector<std::vector<EdgePair>> found(boxes_->part_count());
+    found_.resize(boxes_->part_count());
     parallel_for_each(boxes_->part_count(), [&](int part) {
-      PairSieve sieve(positions, reach, found[part]);
+      found_[part].clear();
+      PairSieve sieve(positions, reach, found_[part]);
       boxes_->for_each_pair(part, [&](const EdgePair& pair) { sieve.add(pair); });
       sieve.flush();
     });
-    merge_sorted(found, pairs);
+    merge_sorted(found_, pairs);
   }
 
  private:
   std::optional<EdgeBoxes> boxes_;
+  std::vector<std::vector<EdgePair>> found_;  // in each part of a search; kept for the memory alone
 };
 
 }  // namespace

@@ -62,8 +62,8 @@ TEST_CASE("every benchmark runs") {
   }
   CHECK(names == std::set<std::string>{"elements", "filters/element", "filters/newton", "step",
                                        "step/baseline", "strand", "solvers", "tolerance",
-                                       "limits/multiply_add", "limits/memory", "limits/cache",
-                                       "limits/evaluate_factor_substitute"});
+                                       "collider", "limits/multiply_add", "limits/memory",
+                                       "limits/cache", "limits/evaluate_factor_substitute"});
 }
 
 TEST_CASE("a benchmark refuses what it does not know") {

@@ -42,7 +42,8 @@ TEST_CASE("metrics and summary tell what happened") {
         "linear_converged,linear_residual,line_search_halvings,kinetic_energy,energy_stretch,"
         "energy_bending,energy_bending_2,contacts,strand_contacts,collider_contacts,penetration,"
         "crossings,collider_depth,"
-        "mean_rest_distance,max_rest_distance,detect_ms,evaluate_ms,solve_ms,line_search_ms,"
+        "mean_rest_distance,max_rest_distance,detect_ms,couple_ms,evaluate_ms,solve_ms,line_search_"
+        "ms,"
         "step_ms");
   const auto metrics = read_metrics(place.folder() / "out/metrics.csv");
   CHECK(metrics.at("step") == std::vector<double>{1, 2, 3, 4, 5, 6});

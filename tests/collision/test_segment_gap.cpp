@@ -96,7 +96,8 @@ TEST_CASE("gaps in lanes are those of single pairs") {
   for (int n = 0; n < lane_count - 1; ++n) {
     pairs.push_back({strands.first(n), strands.first(n + 1)});
   }
-  const SegmentGaps gaps(pairs, x);
+  const SegmentGaps gaps(pairs, x, 1);
+  CHECK(SegmentGaps(pairs, x, 1e-9).distances()[0] >= 1e-9);
   for (std::size_t n = 0; n < pairs.size(); ++n) {
     const auto [a, b] = pairs[n];
     const SegmentGap expected = segment_gap({x.get(a), x.get(a + 1), x.get(b), x.get(b + 1)});

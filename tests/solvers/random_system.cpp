@@ -121,7 +121,7 @@ void RandomSystem::add_contact(Random& random) {
   const std::array<double, 4> weights{normal(random), normal(random), normal(random),
                                       normal(random)};
   const Eigen::Matrix3d curvature = 20 * random_term(random, 3, 1);
-  matrix.couplings.add({vertices, weights, Eigen::Vector3d::Zero(), curvature});
+  matrix.couplings.add({vertices, weights, 0, Eigen::Vector3d::Zero(), curvature});
 
   Eigen::MatrixXd term(12, 12), in_bands = Eigen::MatrixXd::Zero(12, 12);
   for (int a = 0; a < 4; ++a) {

@@ -17,7 +17,8 @@ StepReport minimise(Model& model, const NewtonParameters& parameters, State& sta
   newton.bind(model);
   const VertexField target = state.positions;
   StepReport report;
-  newton.minimise(model, IncrementalPotential(model, target, dt), dt, state.positions, report);
+  IncrementalPotential potential(model, target, dt);
+  newton.minimise(model, potential, dt, state.positions, report);
   return report;
 }
 
