@@ -104,16 +104,20 @@ void IncrementalPotential::add_forces(int group, const VertexField& x, GroupOutp
   }
 }
 
-void IncrementalPotential::write_rows(int group, const VertexField& x, const EdgeDerivatives& edges,
-                                      double mass_weight, const GroupOutputs& outputs) const {
+double IncrementalPotential::write_rows(int group, const VertexField& x,
+                                        const EdgeDerivatives& edges, double mass_weight,
+                                        const GroupOutputs& outputs) const {
   const auto rows = x.group(group), target = target_.group(group);
   const Pack* mass = &model_.mass[model_.groups[group].first_row];
+  Pack inertia = 0;
   for (int i = 0; i < outputs.hessian.rows(); ++i) {
-    outputs.gradient[i] +=
-        edges.gradient_row(i) + Pack(inverse_h2_ * mass[i]) * (rows[i] - target[i]);
+    const Vector3<Pack> apart = rows[i] - target[i];
+    inertia += mass[i] * squared_norm(apart);
+    outputs.gradient[i] += edges.gradient_row(i) + Pack(inverse_h2_ * mass[i]) * apart;
     edges.write_hessian_row(i, &outputs.hessian.block(i, 0));
     for (int c = 0; c < 3; ++c) outputs.hessian.block(i, 0)(c, c) += mass_weight * mass[i];
   }
+  return 0.5 * inverse_h2_ * sum_lanes(inertia);
 }
 
 void IncrementalPotential::sum_terms(PotentialTerms& total) {
@@ -158,11 +162,10 @@ void IncrementalPotential::assemble(const VertexField& x, VertexField& gradient,
     std::fill(rows.begin(), rows.end(), Vector3<Pack>{0, 0, 0});
     matrix.couplings.add_gradient(g, rows);
     const std::span of_group = terms_of(g);
-    of_group.front() = inertia(g, x);
     of_group.back() = 0;
     EdgeDerivatives& edges = matrix.temporary_edges(g);
     add_energies(g, x, edges.outputs(), of_group);
-    write_rows(g, x, edges, inverse_h2_ + added, {rows, bands});
+    of_group.front() = write_rows(g, x, edges, inverse_h2_ + added, {rows, bands});
     add_forces(g, x, {rows, bands}, of_group);
     matrix.couplings.add_to_bands(g, bands);
     const std::span free = std::span(model_.free).subspan(model_.groups[g].first_row, bands.rows());

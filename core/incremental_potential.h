@@ -57,9 +57,10 @@ class IncrementalPotential {
                     std::span<double> terms) const;
   void add_forces(int group, const VertexField& x, GroupOutputs outputs,
                   std::span<double> terms) const;
-  /// Inertia and energies: adds the gradient, and writes the Hessian with mass_weight M.
-  void write_rows(int group, const VertexField& x, const EdgeDerivatives& edges, double mass_weight,
-                  const GroupOutputs& outputs) const;
+  /// Inertia, whose value is returned, and energies: adds the gradient, and writes the Hessian with
+  /// mass_weight M.
+  double write_rows(int group, const VertexField& x, const EdgeDerivatives& edges,
+                    double mass_weight, const GroupOutputs& outputs) const;
   std::size_t term_count() const { return model_.energies.size() + 2; }
   std::span<double> terms_of(int group) {
     return std::span(terms_of_groups_).subspan(group * term_count(), term_count());

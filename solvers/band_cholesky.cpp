@@ -80,6 +80,12 @@ inline void solve_transposed_row(ConstRow row, Vector3<Pack>* x) {
   for (int k = 1; k <= left; ++k) x[-k] -= transpose_multiply(row[k], solved);
 }
 
+inline void solve_transposed(GroupBands factor, std::span<Vector3<Pack>> x, int first) {
+  for (int i = factor.rows(); i-- > first;) {
+    with_left_blocks(i, [&](auto left) { solve_transposed_row<left>(&factor.block(i, 0), &x[i]); });
+  }
+}
+
 // The substitution waits for its own last result and so reads too slowly to keep the memory busy:
 // prefetching takes a quarter off its time.
 inline void prefetch(ConstRow row) {
@@ -93,11 +99,16 @@ constexpr int prefetch_rows = 4;
 
 }  // namespace
 
-[[gnu::flatten]] bool factor_bands(GroupBands bands) {
+// The forward substitution comes for free: a row of the factor waits for the one before it.
+[[gnu::flatten]] bool factor_and_solve(GroupBands bands, std::span<Vector3<Pack>> x) {
   Mask bad(false);
   for (int i = 0; i < bands.rows(); ++i) {
-    with_left_blocks(i, [&](auto left) { factor_row<left>(&bands.block(i, 0), bad); });
+    with_left_blocks(i, [&](auto left) {
+      factor_row<left>(&bands.block(i, 0), bad);
+      solve_row<left>(&bands.block(i, 0), &x[i]);
+    });
   }
+  solve_transposed(bands, x, 0);
   return !any(bad);
 }
 
@@ -107,9 +118,7 @@ constexpr int prefetch_rows = 4;
     if (i + prefetch_rows < rows) prefetch(&factor.block(i + prefetch_rows, 0));
     with_left_blocks(i, [&](auto left) { solve_row<left>(&factor.block(i, 0), &x[i]); });
   }
-  for (int i = rows; i-- > first;) {
-    with_left_blocks(i, [&](auto left) { solve_transposed_row<left>(&factor.block(i, 0), &x[i]); });
-  }
+  solve_transposed(factor, x, first);
 }
 
 }  // namespace ringlet

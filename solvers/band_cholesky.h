@@ -14,9 +14,9 @@ namespace ringlet {
 ///
 /// (Golub, Van Loan: Matrix Computations, section 4.3.5, with 3x3 blocks and bandwidth 3). L(i, j)
 /// takes the place of A(i, j), and the inverse of L(i, i), an InverseTriangle, that of A(i, i).
-/// Returns false, and leaves the factor unusable, if a pivot of any lane is not positive and
-/// finite.
-bool factor_bands(GroupBands bands);
+/// Solves with it at once, x = A^-1 x. Returns false, and leaves factor and x unusable, if a pivot
+/// of any lane is not positive and finite.
+bool factor_and_solve(GroupBands bands, std::span<Vector3<Pack>> x);
 
 /// x = (L L^T)^-1 x. Where x is zero before row `first`, it is left undefined there.
 void solve_bands(GroupBands factor, std::span<Vector3<Pack>> x, int first = 0);

@@ -29,11 +29,9 @@ class StrandCholesky final : public LinearSolver, private BandFactor {
 
   void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) override {
     const int g = system.group;
-    positive_[g] = factor_bands(system.bands);
-    factors_[g] = system.coupled ? system.bands : GroupBands();
-    if (!positive_[g]) return;
     std::copy(system.b.begin(), system.b.end(), x.begin());
-    solve_bands(system.bands, x);
+    positive_[g] = factor_and_solve(system.bands, x);
+    factors_[g] = system.coupled ? system.bands : GroupBands();
   }
 
   bool prepare(const SystemMatrix& a) override {
