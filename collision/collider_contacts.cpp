@@ -38,12 +38,12 @@ void ColliderContacts::move_to(double time_end, double dt) {
 }
 
 double ColliderContacts::free_part(int collider, const Eigen::Vector3d& from,
-                                   const Eigen::Vector3d& to, double kept_part) const {
+                                   const Eigen::Vector3d& to, const KeptGap& kept) const {
   const Eigen::Isometry3d to_collider = placements_[collider].inverse();
   const double longest = (to - from).norm();
   if (longest == 0) return 1;
   const double far = 2 * longest;  // enough to go all the way
-  return ringlet::free_part(longest, kept_part, [&](double part) {
+  return ringlet::free_part(longest, kept, [&](double part) {
     const Eigen::Vector3d point = to_collider * (from + part * (to - from));
     std::optional<Proximity> found;
     colliders_[collider]->near({&point, 1}, far, {&found, 1});
@@ -52,11 +52,11 @@ double ColliderContacts::free_part(int collider, const Eigen::Vector3d& from,
 }
 
 double ColliderContacts::free_part(std::span<const Eigen::Vector3d> from,
-                                   std::span<const Eigen::Vector3d> to, double kept_part) const {
+                                   std::span<const Eigen::Vector3d> to, const KeptGap& kept) const {
   std::vector<double> parts(vertices_.size() + 1, 1);
   parallel_for_each(candidate_count(), [&](int n) {
     const int v = vertices_[n];
-    parts[n] = free_part(collider_of_[n], from[v], to[v], kept_part);
+    parts[n] = free_part(collider_of_[n], from[v], to[v], kept);
   });
   return *std::min_element(parts.begin(), parts.end());
 }
@@ -69,13 +69,13 @@ void ColliderContacts::carry_what_is_hit(std::span<const Eigen::Vector3d> start,
     parallel_for_each(static_cast<int>(reachable.size()), [&](int n) {
       const int v = reachable[n];
       const Eigen::Vector3d carried = since_begin_[c] * start[v];
-      if (free_part(c, carried, to[v], 0) < 1) to[v] = carried;
+      if (free_part(c, carried, to[v], {vanishing}) < 1) to[v] = carried;
     });
   }
 }
 
 double ColliderContacts::free_part_of_step(std::span<const Eigen::Vector3d> start,
-                                           std::span<const Eigen::Vector3d> to, double kept_part,
+                                           std::span<const Eigen::Vector3d> to, const KeptGap& kept,
                                            const Movement& movement) const {
   double least = 1;
   for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
@@ -83,7 +83,7 @@ double ColliderContacts::free_part_of_step(std::span<const Eigen::Vector3d> star
     std::vector<double> parts(reachable.size() + 1, 1);
     parallel_for_each(static_cast<int>(reachable.size()), [&](int n) {
       const int v = reachable[n];
-      parts[n] = free_part(c, since_begin_[c] * start[v], to[v], kept_part);
+      parts[n] = free_part(c, since_begin_[c] * start[v], to[v], kept);
     });
     least = std::min(least, *std::min_element(parts.begin(), parts.end()));
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "collision/contact_law.h"
+#include "collision/continuous.h"
 #include "collision/edge_chunks.h"
 #include "collision/movement.h"
 #include "collision/touching.h"
@@ -29,14 +30,14 @@ class ColliderContacts {
   /// Collects the free vertices nearer to a collider than the thickness and a margin, m: the one
   /// given to the constructor if none is.
   void detect(std::span<const Eigen::Vector3d> positions, std::optional<double> margin = {});
-  /// The part of straight ways that candidates may go before one comes nearer to its collider than
-  /// a part of its first distance; 1: all of it, 0: one is inside at the start.
+  /// The part of straight ways that candidates may go before less is left of the distance of one to
+  /// its collider than must be; 1: all of it, 0: one is inside at the start.
   double free_part(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
-                   double kept_part) const;
+                   const KeptGap& kept) const;
   /// The same of all free vertices, for ways from the start of the step, seen from the moving
   /// colliders. movement: since the last detect().
   double free_part_of_step(std::span<const Eigen::Vector3d> start,
-                           std::span<const Eigen::Vector3d> to, double kept_part,
+                           std::span<const Eigen::Vector3d> to, const KeptGap& kept,
                            const Movement& movement) const;
   /// Moves every free vertex that a moving collider hits on its way in the step along with it.
   void carry_what_is_hit(std::span<const Eigen::Vector3d> start, std::span<Eigen::Vector3d> to,
@@ -61,7 +62,7 @@ class ColliderContacts {
   void evaluate_batch(const Batch& batch, const VertexField& x,
                       std::vector<Touching::Found>& found) const;
   double free_part(int collider, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                   double kept_part) const;
+                   const KeptGap& kept) const;
   std::vector<int> find_reachable(int collider, std::span<const Eigen::Vector3d> start,
                                   std::span<const Eigen::Vector3d> to,
                                   const Movement& movement) const;

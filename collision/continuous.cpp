@@ -8,7 +8,7 @@
 namespace ringlet {
 
 double free_part_of_segments(const std::array<Eigen::Vector3d, 4>& from,
-                             const std::array<Eigen::Vector3d, 4>& to, double kept_part) {
+                             const std::array<Eigen::Vector3d, 4>& to, const KeptGap& kept) {
   // What both have in common does not bring them nearer.
   std::array<Eigen::Vector3d, 4> motion;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -23,7 +23,7 @@ double free_part_of_segments(const std::array<Eigen::Vector3d, 4>& from,
     const auto at = [&](int i) { return from_eigen(from[i] + part * motion[i]); };
     return std::sqrt(closest_points(at(0), at(1), at(2), at(3)).squared_distance);
   };
-  return free_part(longest, kept_part, distance);
+  return free_part(longest, kept, distance);
 }
 
 }  // namespace ringlet

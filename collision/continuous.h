@@ -3,27 +3,40 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace ringlet {
 
-/// How much of a gap a step may use up, when it must not close.
-inline constexpr double usable_part = 0.9;
+/// What must be left of a distance: a part of what it is at first, or of a thickness, m, if that is
+/// less.
+struct KeptGap {
+  double part;
+  double thickness = std::numeric_limits<double>::infinity();
 
-/// The largest part of a motion, at most 1, during which a distance stays above a part of what it
-/// is at first, given that it changes by no more than `longest`, m, in the whole motion;
+  double of(double distance) const { return std::max(0.0, part * std::min(distance, thickness)); }
+};
+
+/// What comes nearer than this part of its first distance has passed through.
+inline constexpr double vanishing = 1e-6;
+
+/// The largest part of a motion, at most 1, during which a distance stays above what must be left
+/// of it (to a tenth), given that it changes by no more than `longest`, m, in the whole motion;
 /// distance(part), m, is the distance, or less than it, at a part of the motion. Steps through the
 /// motion by what the distance allows, as "Codimensional Incremental Potential Contact" does (Li,
 /// Kaufman, Jiang, SIGGRAPH 2021, section 5): never too far, without roots of polynomials. 0 if the
 /// distance is not above zero at first.
 template <class Distance>
-double free_part(double longest, double kept_part, const Distance& distance) {
+double free_part(double longest, const KeptGap& kept, const Distance& distance) {
+  constexpr double careful = 0.9;
   double part = 0, gap = distance(0.0);
-  const double floor = std::max(0.0, kept_part * gap);
+  const double floor = kept.of(gap);
   while (gap > floor) {
-    // Always a little: where the gap is near the floor, it passes it in a few steps.
-    const double advance = usable_part * gap;
+    // Always a little, even from just above the floor.
+    const double advance = careful * (gap - careful * floor);
     if (advance >= (1 - part) * longest) return 1;
-    part += advance / longest;
+    const double next = part + advance / longest;
+    if (next == part) return part;
+    part = next;
     gap = distance(part);
   }
   return part;
@@ -31,6 +44,6 @@ double free_part(double longest, double kept_part, const Distance& distance) {
 
 /// The same for the distance of two segments whose four vertices move along straight lines.
 double free_part_of_segments(const std::array<Eigen::Vector3d, 4>& from,
-                             const std::array<Eigen::Vector3d, 4>& to, double kept_part);
+                             const std::array<Eigen::Vector3d, 4>& to, const KeptGap& kept);
 
 }  // namespace ringlet

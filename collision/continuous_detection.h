@@ -4,9 +4,6 @@
 
 namespace ringlet {
 
-/// What comes nearer than this part of its first distance has passed through.
-inline constexpr double vanishing = 1e-6;
-
 /// Continuous collision detection between strands: all vertices move along straight lines from some
 /// positions to others.
 class ContinuousDetection {
@@ -29,8 +26,9 @@ class ContinuousDetection {
   SweptPairs swept_pairs_;
 };
 
-/// The part of the way along which none of some pairs comes nearer than a part of its first
-/// distance. Pairs without a thickness, which cross at rest, may pass through each other.
+/// The part of the way along which something is left of the gap of each of some pairs: a part of
+/// its first distance, or of its thickness if that is less. Pairs without a thickness, which cross
+/// at rest, may pass through each other.
 double free_part_of_pairs(std::span<const EdgePair> pairs, std::span<const double> thickness,
                           std::span<const Eigen::Vector3d> from,
                           std::span<const Eigen::Vector3d> to, double kept_part);

@@ -24,6 +24,11 @@ SegmentGap gap_of(const EdgePair& pair, const VertexField& x) {
       {x.get(pair.first), x.get(pair.first + 1), x.get(pair.second), x.get(pair.second + 1)});
 }
 
+/// What an iteration must leave of a gap within the thickness. Newton's method opens a small gap
+/// that a barrier pushes apart to no more than twice its width in an iteration: if more of it got
+/// lost as edges turn about each other, it would vanish, and all motion with it.
+constexpr double kept_part = 0.5;
+
 double longest_distance(std::span<const Eigen::Vector3d> from,
                         std::span<const Eigen::Vector3d> to) {
   double longest = 0;
@@ -256,7 +261,7 @@ bool FclStage::can_reach(const VertexField& x_n, VertexField& guess) {
   gather(guess);
   collider_contacts_.carry_what_is_hit(start, positions_, movement_);
   for (std::size_t v = 0; v < start.size(); ++v) guess.set(static_cast<int>(v), positions_[v]);
-  if (collider_contacts_.free_part_of_step(start, positions_, vanishing, movement_) < 1)
+  if (collider_contacts_.free_part_of_step(start, positions_, {vanishing}, movement_) < 1)
     return false;
   if (!continuous_) return true;
   bring_to(positions_, start);
@@ -270,8 +275,9 @@ double FclStage::step_limit(const VertexField& x, const VertexField& d) {
   std::vector<Eigen::Vector3d> to(positions_.size());
   parallel_for_each(static_cast<int>(to.size()), [&](int v) { to[v] = positions_[v] - d.get(v); });
   find_candidates_of_way(to);
-  return std::min(free_part_of_pairs(pairs_, thickness_, positions_, to, 1 - usable_part),
-                  collider_contacts_.free_part(positions_, to, 1 - usable_part));
+  return std::min(
+      free_part_of_pairs(pairs_, thickness_, positions_, to, kept_part),
+      collider_contacts_.free_part(positions_, to, {kept_part, *parameters_.collider_thickness}));
 }
 
 // Afterwards all that comes nearer than the thickness on a straight way is a candidate.

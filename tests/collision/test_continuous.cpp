@@ -44,16 +44,18 @@ TEST_CASE("two segments are free to move until they meet") {
   const Segments from{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0.5}, {0, 1, 0.5}}};
   Segments to = from;
   for (const int i : {2, 3}) to[i].z() = -0.5;
-  CHECK(free_part_of_segments(from, to, 1e-9) == Approx(0.5).epsilon(1e-6));
-  CHECK(free_part_of_segments(from, to, 0.1) > 0.4);
-  CHECK(free_part_of_segments(from, to, 0.1) < 0.5);
-  CHECK(free_part_of_segments(from, from, 1e-9) == 1);
-  CHECK(free_part_of_segments(to, to, 1) == 0);
+  CHECK(free_part_of_segments(from, to, {1e-9}) == Approx(0.5).epsilon(1e-6));
+  // At first 0.5 apart; what must be left of that is left to a tenth.
+  CHECK(free_part_of_segments(from, to, {0.2}) == Approx(0.4).margin(0.01));
+  CHECK(free_part_of_segments(from, to, {0.2, 0.1}) == Approx(0.48).margin(0.002));
+  CHECK(free_part_of_segments(from, to, {0.2, 7.0}) == free_part_of_segments(from, to, {0.2}));
+  CHECK(free_part_of_segments(from, from, {1e-9}) == 1);
+  CHECK(free_part_of_segments(to, to, {1}) == 0);
   Segments both_move = to;
   for (auto& p : both_move) p += Eigen::Vector3d(3, 4, 5);
-  CHECK(free_part_of_segments(from, both_move, 1e-9) == Approx(0.5).epsilon(1e-6));
+  CHECK(free_part_of_segments(from, both_move, {1e-9}) == Approx(0.5).epsilon(1e-6));
   for (const int i : {2, 3}) to[i].z() = 0.01;
-  CHECK(free_part_of_segments(from, to, 1e-9) == 1);
+  CHECK(free_part_of_segments(from, to, {1e-9}) == 1);
 }
 
 TEST_CASE("within their free part, random segments stay apart") {
@@ -66,7 +68,7 @@ TEST_CASE("within their free part, random segments stay apart") {
     for (auto& p : from) p = random_point(random, 1);
     for (auto& p : to) p = random_point(random, 1);
     const double floor = 0.1 * distance_at(from, to, 0);
-    const double part = free_part_of_segments(from, to, 0.1);
+    const double part = free_part_of_segments(from, to, {0.1});
     if (part < 1) ++blocked;
     double least = 1;
     for (int i = 0; i <= 1000; ++i) least = std::min(least, distance_at(from, to, i * part / 1000));
@@ -92,7 +94,7 @@ TEST_CASE("segments that pass through each other are never free to") {
     for (int i = 0; i < 1000; ++i) {
       if (!meet(at_part(from, to, i / 1000.0), at_part(from, to, (i + 1) / 1000.0))) continue;
       if (++meetings > 1) continue;
-      const double part = free_part_of_segments(from, to, 1e-6);
+      const double part = free_part_of_segments(from, to, {1e-6});
       CHECK(part < (i + 1) / 1000.0);
       CHECK(part > i / 1000.0 - 1e-3);
     }
