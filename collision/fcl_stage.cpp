@@ -16,14 +16,6 @@ std::vector<std::unique_ptr<Collider>> make_all(const std::vector<Choice<Collide
   return colliders;
 }
 
-/// Candidate pairs that are looked at together.
-constexpr int pairs_a_part = 128;
-
-SegmentGap gap_of(const EdgePair& pair, const VertexField& x) {
-  return segment_gap(
-      {x.get(pair.first), x.get(pair.first + 1), x.get(pair.second), x.get(pair.second + 1)});
-}
-
 /// What an iteration must leave of a gap within the thickness. Newton's method opens a small gap
 /// that a barrier pushes apart to no more than twice its width in an iteration: if more of it got
 /// lost as edges turn about each other, it would vanish, and all motion with it.
@@ -107,17 +99,20 @@ void FclStage::bind(const Strands& strands, const StrandGroups& groups, const Mo
   collider_contacts_.bind(chunks_, motions);
   positions_.resize(strands.vertex_count());
   if (parameters_.strand_contacts) bind_strand_contacts(strands);
-  if (parameters_.audit) audit_.emplace(continuous_ ? &*continuous_ : nullptr, collider_contacts_);
+  if (parameters_.audit) {
+    audit_.emplace(strand_contacts_ ? strand_contacts_->continuous() : nullptr, collider_contacts_);
+  }
 }
 
 void FclStage::bind_strand_contacts(const Strands& strands) {
-  rule_.emplace(strands, *parameters_.arc_distance);
-  detector_ = parameters_.detector.make();
-  detector_->bind(strands);
-  if (!parameters_.push_at_rest) {
-    rest_pairs_.emplace(strands, *detector_, parameters_.thickness, parameters_.rest_slack);
-  }
-  if (parameters_.audit || response_->is_barrier()) continuous_.emplace(strands, *rule_);
+  StrandContacts::Parameters parameters{.thickness = parameters_.thickness,
+                                        .stiffness = parameters_.stiffness,
+                                        .margin = *parameters_.margin,
+                                        .arc_distance = *parameters_.arc_distance,
+                                        .rest_slack = parameters_.rest_slack,
+                                        .with_ways = parameters_.audit || response_->is_barrier()};
+  if (parameters_.push_at_rest) parameters.rest_slack.reset();
+  strand_contacts_.emplace(strands, parameters_.detector.make(), *response_, parameters);
 }
 
 std::vector<Pin> FclStage::pins(const std::vector<Eigen::Vector3d>& positions) const {
@@ -130,7 +125,7 @@ void FclStage::set_free(const VertexScalars& free) {
     const auto [row, lane] = groups_->slot(v);
     is_free[v] = free[row][lane] != 0;
   }
-  if (rule_) rule_->set_free(is_free);
+  if (strand_contacts_) strand_contacts_->set_free(is_free);
   collider_contacts_.set_free(std::move(is_free));
 }
 
@@ -155,89 +150,43 @@ void FclStage::find_candidates(const VertexField& x) {
   if (parameters_.detect == DetectWhen::step && !is_new_step_) return;
   is_new_step_ = false;
   gather(x);
-  if (parameters_.detect == DetectWhen::margin && are_candidates_valid()) return;
-  collect_candidates();
+  const bool are_kept = parameters_.detect == DetectWhen::margin;
+  if (!are_kept || !are_candidates_valid(positions_, positions_)) collect_candidates();
 }
 
 void FclStage::gather(const VertexField& x) {
   parallel_for_each(static_cast<int>(positions_.size()), [&](int v) { positions_[v] = x.get(v); });
 }
 
-bool FclStage::are_candidates_valid() const {
-  return is_covered(positions_, positions_, parameters_.thickness) &&
-         collider_contacts_.are_valid(positions_, movement_);
-}
-
-// Whether all pairs that come nearer than reach on a straight way are candidates. Two edges come
-// nearer to each other by no more than twice what a vertex moves.
-bool FclStage::is_covered(std::span<const Eigen::Vector3d> from,
-                          std::span<const Eigen::Vector3d> to, double reach) const {
+bool FclStage::are_candidates_valid(std::span<const Eigen::Vector3d> from,
+                                    std::span<const Eigen::Vector3d> to) const {
   if (!movement_.has_started()) return false;
-  const double allowed = (parameters_.thickness + *parameters_.margin - reach) / 2;
-  const Eigen::Isometry3d common = movement_.rigid_part(to);
-  return movement_.is_within(allowed, to, common) &&
-         (from.data() == to.data() || movement_.is_within(allowed, from, common));
+  if (strand_contacts_ &&
+      !strand_contacts_->are_valid(from, to, parameters_.thickness, movement_)) {
+    return false;
+  }
+  return collider_contacts_.are_valid(to, movement_) &&
+         (from.data() == to.data() || collider_contacts_.are_valid(from, movement_));
 }
 
 void FclStage::collect_candidates() {
   movement_.start_from(positions_);
-  if (detector_) {
-    detector_->find(positions_, parameters_.thickness + *parameters_.margin, pairs_);
-    std::erase_if(pairs_, [&](const EdgePair& pair) { return !rule_->allows(pair); });
-    limit_thickness();
-  }
+  if (strand_contacts_) strand_contacts_->detect(positions_);
   collider_contacts_.detect(positions_);
 }
 
-void FclStage::limit_thickness() {
-  thickness_.assign(pairs_.size(), parameters_.thickness);
-  if (rest_pairs_) rest_pairs_->limit(pairs_, thickness_);
-}
-
-// A barrier pushes a pair that is near at rest, and so has a small thickness, with as large forces
-// as any other: else loads would close its gap to nothing, where no step can go on.
-double FclStage::stiffness_of(int p) const {
-  if (!response_->is_barrier() || thickness_[p] == 0) return parameters_.stiffness;
-  return parameters_.stiffness * parameters_.thickness / thickness_[p];
-}
-
 void FclStage::evaluate(const VertexField& x) {
-  const int pairs = static_cast<int>(pairs_.size());
-  strand_contacts_.collect((pairs + pairs_a_part - 1) / pairs_a_part, [&](int part, auto& found) {
-    const int end = std::min(pairs, (part + 1) * pairs_a_part);
-    for (int p = part * pairs_a_part; p < end; p += lane_count) {
-      add_touching(p, std::min(lane_count, end - p), x, found);
-    }
-  });
-  collider_contacts_.evaluate(x, touched_colliders_);
-}
-
-void FclStage::add_touching(int first, int count, const VertexField& x,
-                            std::vector<Touching::Found>& found) const {
-  const std::span<const EdgePair> pairs(&pairs_[first], count);
-  const SegmentGaps gaps(pairs, x, parameters_.thickness);
-  for (int n = 0; n < count; ++n) {
-    const EdgePair& pair = pairs[n];
-    const ContactLaw law{response_.get(), thickness_[first + n], stiffness_of(first + n)};
-    const double distance = gaps.distances()[n];
-    if (distance >= law.thickness) continue;
-    const SegmentGap gap = distance == 0 ? gap_of(pair, x) : gaps.of(n);
-    found.push_back({first + n,
-                     {{pair.first, pair.first + 1, pair.second, pair.second + 1},
-                      gap.weights,
-                      gap.normal,
-                      law.thickness - distance,
-                      law.at(distance)}});
-  }
+  if (strand_contacts_) strand_contacts_->evaluate(x, touching_strands_);
+  collider_contacts_.evaluate(x, touching_colliders_);
 }
 
 // Friction is that of the forces, normals and closest points at x, until the next iteration.
 void FclStage::lag_friction(const VertexField& x) {
   evaluate(x);
   friction_.clear();
-  strand_contacts_.for_each(
+  touching_strands_.for_each(
       [&](int, const Contact& contact) { friction_.add_strand_contact(contact); });
-  touched_colliders_.for_each([&](int candidate, const Contact& contact) {
+  touching_colliders_.for_each([&](int candidate, const Contact& contact) {
     friction_.add_collider_contact(
         contact, collider_contacts_.displacement(candidate, x.get(contact.vertices[0])));
   });
@@ -261,12 +210,16 @@ bool FclStage::can_reach(const VertexField& x_n, VertexField& guess) {
   gather(guess);
   collider_contacts_.carry_what_is_hit(start, positions_, movement_);
   for (std::size_t v = 0; v < start.size(); ++v) guess.set(static_cast<int>(v), positions_[v]);
-  if (collider_contacts_.free_part_of_step(start, positions_, {vanishing}, movement_) < 1)
+  if (collider_contacts_.free_part_of_step(start, positions_, {vanishing}, movement_) < 1) {
     return false;
-  if (!continuous_) return true;
+  }
+  if (!strand_contacts_) return true;
   bring_to(positions_, start);
-  if (!is_covered(start, positions_, 0)) sweep(start, positions_, 0);
-  return free_part_of_pairs(pairs_, thickness_, start, positions_, vanishing) == 1;
+  if (!movement_.has_started() || !strand_contacts_->are_valid(start, positions_, 0, movement_)) {
+    movement_ = {};
+    strand_contacts_->detect_on_way(start, positions_, 0);
+  }
+  return strand_contacts_->free_part(start, positions_, vanishing) == 1;
 }
 
 double FclStage::step_limit(const VertexField& x, const VertexField& d) {
@@ -275,44 +228,33 @@ double FclStage::step_limit(const VertexField& x, const VertexField& d) {
   std::vector<Eigen::Vector3d> to(positions_.size());
   parallel_for_each(static_cast<int>(to.size()), [&](int v) { to[v] = positions_[v] - d.get(v); });
   find_candidates_of_way(to);
-  return std::min(
-      free_part_of_pairs(pairs_, thickness_, positions_, to, kept_part),
-      collider_contacts_.free_part(positions_, to, {kept_part, *parameters_.collider_thickness}));
+  const double free_of_colliders =
+      collider_contacts_.free_part(positions_, to, {kept_part, *parameters_.collider_thickness});
+  if (!strand_contacts_) return free_of_colliders;
+  return std::min(free_of_colliders, strand_contacts_->free_part(positions_, to, kept_part));
 }
 
 // Afterwards all that comes nearer than the thickness on a straight way is a candidate.
 void FclStage::find_candidates_of_way(std::span<const Eigen::Vector3d> to) {
-  const auto is_way_covered = [&] {
-    return is_covered(positions_, to, parameters_.thickness) &&
-           collider_contacts_.are_valid(positions_, movement_) &&
-           collider_contacts_.are_valid(to, movement_);
-  };
-  if (is_way_covered()) return;
+  if (are_candidates_valid(positions_, to)) return;
   collect_candidates();
-  if (is_way_covered()) return;
-  sweep(positions_, to, parameters_.thickness);
+  if (are_candidates_valid(positions_, to)) return;
+  movement_ = {};
+  if (strand_contacts_) strand_contacts_->detect_on_way(positions_, to, parameters_.thickness);
   collider_contacts_.detect(positions_, longest_distance(positions_, to));
   is_swept_ = true;
 }
 
-void FclStage::sweep(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
-                     double reach) {
-  movement_ = {};
-  if (!continuous_) return;
-  pairs_ = continuous_->find(from, to, reach);
-  limit_thickness();
-}
-
 double FclStage::add(const VertexField& x, Couplings* couplings) {
   evaluate(x);
-  report_ = {.strand_contacts = strand_contacts_.count(),
-             .collider_contacts = touched_colliders_.count(),
-             .penetration = std::max(strand_contacts_.depth(), touched_colliders_.depth())};
+  report_ = {.strand_contacts = touching_strands_.count(),
+             .collider_contacts = touching_colliders_.count(),
+             .penetration = std::max(touching_strands_.depth(), touching_colliders_.depth())};
   if (couplings != nullptr) {
-    strand_contacts_.add_terms(*couplings);
-    touched_colliders_.add_terms(*couplings);
+    touching_strands_.add_terms(*couplings);
+    touching_colliders_.add_terms(*couplings);
   }
-  return strand_contacts_.energy() + touched_colliders_.energy() + friction_.add(x, couplings);
+  return touching_strands_.energy() + touching_colliders_.energy() + friction_.add(x, couplings);
 }
 
 void register_fcl_stage(Registry& registry);

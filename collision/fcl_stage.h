@@ -6,11 +6,9 @@
 
 #include "collision/audit.h"
 #include "collision/collider_contacts.h"
-#include "collision/contact_rule.h"
-#include "collision/continuous_detection.h"
 #include "collision/friction.h"
 #include "collision/movement.h"
-#include "collision/rest_pairs.h"
+#include "collision/strand_contacts.h"
 #include "collision/touching.h"
 #include "core/collision_stage.h"
 #include "core/registry.h"
@@ -69,41 +67,29 @@ class FclStage final : public CollisionStage {
 
  private:
   void bind_strand_contacts(const Strands& strands);
-  bool are_candidates_valid() const;
-  bool is_covered(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
-                  double reach) const;
-  void collect_candidates();
-  void find_candidates_of_way(std::span<const Eigen::Vector3d> to);
-  void sweep(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
-             double reach);
+  /// Whether all that comes nearer than the thickness on a straight way is a candidate.
+  bool are_candidates_valid(std::span<const Eigen::Vector3d> from,
+                            std::span<const Eigen::Vector3d> to) const;
   void find_candidates(const VertexField& x);
+  void find_candidates_of_way(std::span<const Eigen::Vector3d> to);
+  void collect_candidates();
   void gather(const VertexField& x);
   void follow(const VertexField& x);
-  void limit_thickness();
-  double stiffness_of(int pair) const;
   void evaluate(const VertexField& x);
-  /// Of count candidate pairs from the first on, no more than there are lanes.
-  void add_touching(int first, int count, const VertexField& x,
-                    std::vector<Touching::Found>& found) const;
   void lag_friction(const VertexField& x);
 
   FclStageParameters parameters_;
   std::unique_ptr<ContactEnergy> response_;
+  std::optional<StrandContacts> strand_contacts_;  // absent: strands do not feel each other
   ColliderContacts collider_contacts_;
   const StrandGroups* groups_ = nullptr;
   std::vector<EdgeChunk> chunks_;
-  std::optional<ContactRule> rule_;
-  std::unique_ptr<ContactDetector> detector_;  // null: strands do not feel each other
   bool is_new_step_ = true;
-  bool is_swept_ = false;                         // candidates are those of the way that led here
-  Movement movement_;                             // since candidates were collected
-  std::vector<Eigen::Vector3d> positions_;        // of the last detect()
-  std::optional<RestPairs> rest_pairs_;           // absent: pairs push at rest too
-  std::vector<EdgePair> pairs_;                   // candidates
-  std::vector<double> thickness_;                 // of each pair
-  Touching strand_contacts_, touched_colliders_;  // at the positions of the last evaluate()
+  bool is_swept_ = false;                           // candidates are those of the way that led here
+  Movement movement_;                               // since candidates were collected
+  std::vector<Eigen::Vector3d> positions_;          // of the last detect()
+  Touching touching_strands_, touching_colliders_;  // at the positions of the last evaluate()
   Friction friction_;
-  std::optional<ContinuousDetection> continuous_;  // of strands, for an audit or a barrier
   std::optional<Audit> audit_;
   ContactReport report_;
 };
