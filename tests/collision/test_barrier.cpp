@@ -155,6 +155,14 @@ TEST_CASE("edges that cross at rest are not guarded") {
   CHECK(guarded.limit(fall_of_upper(0.02)) == 1);
 }
 
+TEST_CASE("edges that are near at rest and may come as near as they like are not guarded") {
+  for (const double slack : {0.5, 1.0}) {
+    Guarded guarded(crossing_edges(0.01),
+                    R"(, "thickness": 0.02, "rest_slack": )" + std::to_string(slack));
+    CHECK((guarded.limit(fall_of_upper(0.02)) == 1) == (slack == 1));
+  }
+}
+
 TEST_CASE("edges of one strand with less than the arc distance between them are not guarded") {
   // A hairpin: the last edge lies above the first and falls through it.
   const Points hairpin{{-1, 0, 0}, {1, 0, 0}, {1, 0, 0.01}, {0, -1, 0.01}, {0, 1, 0.01}};
