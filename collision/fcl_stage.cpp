@@ -209,7 +209,7 @@ bool FclStage::can_reach(const VertexField& x_n, VertexField& guess) {
   std::vector<Eigen::Vector3d> start = positions_;
   gather(guess);
   collider_contacts_.carry_what_is_hit(start, positions_, movement_);
-  parallel_for_each(static_cast<int>(start.size()), [&](int v) { guess.set(v, positions_[v]); });
+  for (std::size_t v = 0; v < start.size(); ++v) guess.set(static_cast<int>(v), positions_[v]);
   if (collider_contacts_.free_part_of_step(start, positions_, {vanishing}, movement_) < 1) {
     return false;
   }
