@@ -9,6 +9,7 @@
 #include "apps/exit_codes.h"
 #include "apps/help.h"
 #include "collision/modules.h"
+#include "core/load_plugin.h"
 #include "core/modules.h"
 #include "energies/modules.h"
 #include "plugins/modules.h"
@@ -17,10 +18,17 @@
 namespace ringlet {
 namespace {
 
-int dispatch(const Registry& registry, const std::vector<std::string>& words) {
-  const std::vector<Command> commands{run_command(),      check_command(),  list_command(),
-                                      describe_command(), verify_command(), eval_command(),
-                                      bench_command()};
+/// What every command that looks at plugins takes.
+const Option plugin_option{.name = "--plugin",
+                           .value = "FILE",
+                           .meaning = "loads a plugin library; may be repeated",
+                           .repeatable = true};
+
+int dispatch(Registry& registry, const std::vector<std::string>& words) {
+  std::vector<Command> commands{run_command(),      check_command(),  list_command(),
+                                describe_command(), verify_command(), eval_command(),
+                                bench_command()};
+  for (Command& command : commands) command.options.push_back(plugin_option);
   const std::string name = words.empty() ? "help" : words.front();
   const bool wants_help = name == "help" || name == "--help" || name == "-h" ||
                           std::find(words.begin(), words.end(), "--help") != words.end();
@@ -37,6 +45,9 @@ int dispatch(const Registry& registry, const std::vector<std::string>& words) {
     known.push_back(command.name);
     if (command.name != name) continue;
     const Arguments arguments({words.begin() + 1, words.end()}, command.operands, command.options);
+    for (const std::string& plugin : arguments.values(plugin_option.name)) {
+      load_plugin(plugin, ".", registry);
+    }
     return command.run(registry, arguments);
   }
   throw Error("unknown command '" + name + "'; " + did_you_mean(name, known));
@@ -58,6 +69,9 @@ int run_program(const std::vector<std::string>& words) {
     return exit_bad_input;
   } catch (const std::bad_alloc&) {
     spdlog::error("there is not enough memory");
+    return exit_failed;
+  } catch (const std::exception& error) {
+    spdlog::error("unexpected, perhaps of a plugin: {}", error.what());
     return exit_failed;
   }
 }

@@ -26,4 +26,5 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/ringletConfigVersion.cmak
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/ringletConfig.cmake
               ${PROJECT_BINARY_DIR}/ringletConfigVersion.cmake
+              cmake/RingletPlugin.cmake
         DESTINATION ${ringlet_cmake_folder})

@@ -10,7 +10,8 @@ namespace ringlet {
 
 /// A second-order forward dual number over S (double or Pack): a value with its gradient and
 /// Hessian, of which the lower triangle is kept, with respect to N variables. Where a function has
-/// no derivative (sqrt and abs at 0, atan2 at the origin) the derivative is taken as 0.
+/// no derivative (sqrt and abs at 0, atan2 at the origin), or none that a double can hold (sqrt
+/// below 1e-200), the derivative is taken as 0.
 template <class S, int N>
 struct Dual {
   S value;
@@ -120,7 +121,7 @@ Dual<S, N> max(const Dual<S, N>& a, const Dual<S, N>& b) {
 template <class S, int N>
 Dual<S, N> sqrt(const Dual<S, N>& a) {
   const S root = sqrt(a.value);
-  const auto singular = a.value == S(0);
+  const auto singular = a.value < S(1e-200);
   const S inverse = select(singular, S(0), S(S(1) / select(singular, S(1), root)));
   return a.map(root, S(0.5) * inverse, S(-0.25) * inverse * inverse * inverse);
 }

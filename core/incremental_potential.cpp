@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/error.h"
 #include "core/parallel.h"
 
 namespace ringlet {
@@ -93,7 +94,11 @@ double IncrementalPotential::inertia(int group, const VertexField& x) const {
 void IncrementalPotential::add_energies(int group, const VertexField& x, EdgeOutputs outputs,
                                         std::span<double> terms) const {
   for (std::size_t e = 0; e < model_.energies.size(); ++e) {
-    terms[e + 1] = model_.energies[e]->add(group, x.group(group), outputs);
+    try {
+      terms[e + 1] = model_.energies[e]->add(group, x.group(group), outputs);
+    } catch (const std::exception& error) {
+      throw Error("energy '" + model_.energy_names[e] + "': " + error.what());
+    }
   }
 }
 

@@ -122,6 +122,7 @@ class Catalogue {
   struct Entry {
     std::string name;
     Description description;
+    std::string library;  ///< file it was loaded from; empty: it is of the program
     std::vector<KeyInfo> keys;
     std::function<Choice<Interface>(const Json&, const std::string& pointer, ParseContext&)> read;
   };
@@ -137,7 +138,7 @@ class Catalogue {
     }
     const Schema<P> schema = P::schema();
     entries_.push_back(
-        {name, std::move(description), schema.infos(),
+        {name, std::move(description), library_, schema.infos(),
          [name, schema, make](const Json& json, const std::string& pointer, ParseContext& context) {
            P parameters;
            schema.read(json, pointer, context, parameters, true);
@@ -160,9 +161,12 @@ class Catalogue {
     return names;
   }
   const std::vector<Entry>& entries() const { return entries_; }
+  /// That of all that is added from now on.
+  void set_library(const std::string& file) { library_ = file; }
 
  private:
   std::vector<Entry> entries_;
+  std::string library_;
 };
 
 /// All plugins a program knows. main owns the only one; modules add themselves to it by functions
@@ -177,6 +181,15 @@ class Registry {
   const Catalogue<Interface>& of() const {
     return std::get<Catalogue<Interface>>(catalogues_);
   }
+  /// Calls add(*this), and marks what it adds as loaded from a library file.
+  template <class Add>
+  void add_library(const std::string& file, const Add& add) {
+    set_library(file);
+    add(*this);
+    set_library("");
+    libraries_.push_back(file);
+  }
+  const std::vector<std::string>& libraries() const { return libraries_; }
   /// visit(kind name, catalogue) for every kind.
   template <class Visit>
   void for_each_kind(const Visit& visit) const {
@@ -184,6 +197,9 @@ class Registry {
   }
 
  private:
+  void set_library(const std::string& file) {
+    std::apply([&](auto&... catalogue) { (catalogue.set_library(file), ...); }, catalogues_);
+  }
   template <class Visit, class Interface>
   static void visit_kind(const Visit& visit, const Catalogue<Interface>& catalogue) {
     visit(Kind<Interface>::name, catalogue);
@@ -195,6 +211,7 @@ class Registry {
              Catalogue<ContactDetector>, Catalogue<ContactEnergy>, Catalogue<Collider>,
              Catalogue<Observer>>
       catalogues_;
+  std::vector<std::string> libraries_;
 };
 
 template <class Interface>

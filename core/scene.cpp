@@ -4,6 +4,7 @@
 #include <fstream>
 #include <set>
 
+#include "core/load_plugin.h"
 #include "core/metrics.h"
 
 namespace ringlet {
@@ -106,7 +107,8 @@ Schema<Expectation> Expectation::schema() {
 Schema<Scene> Scene::schema() {
   return Schema<Scene>()
       .key("about", &Scene::about, "", any_number(), "what the scene shows, for its readers")
-      .key("plugins", &Scene::plugins, "", any_number(), "libraries to load")
+      .key("plugins", &Scene::plugins, "", any_number(),
+           "plugin libraries to load: paths, or names of RINGLET_PLUGIN_PATH")
       .key("motions", &Scene::motions, "", any_number(),
            "named rigid motions, which colliders and pinned strands may follow")
       .required("strands", &Scene::strands, "", any_number(), "the strands in their rest shape")
@@ -176,11 +178,8 @@ Scene read_scene(const Json& json, const Registry& registry, const std::filesyst
   }
   Scene scene;
   Scene::schema().read(json, "", context, scene);
+  for (std::string& plugin : scene.plugins) plugin = plugin_file(plugin, folder);
   check_expectations(scene, context);
-  if (!scene.plugins.empty()) {
-    context.problem("/plugins",
-                    "loading plugin libraries is not supported; expected an empty list");
-  }
   if (!problems.empty()) throw InvalidInput(std::move(problems));
   return scene;
 }

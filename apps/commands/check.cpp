@@ -17,7 +17,7 @@ std::string join_types(const std::vector<Choice<Interface>>& choices) {
   return text.empty() ? "none" : text;
 }
 
-int check(const Registry& registry, const Arguments& arguments) {
+int check(Registry& registry, const Arguments& arguments) {
   const Scene scene = read_scene_argument(registry, arguments);
   const Simulation simulation(scene);
   const Model& model = simulation.model();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "apps/arguments.h"
 #include "core/registry.h"
 
@@ -12,7 +14,7 @@ struct Command {
   std::string summary;                ///< one line
   std::vector<Option> options;
   /// Returns an exit code. Throws Error for bad input, before anything is written.
-  int (*run)(const Registry&, const Arguments&);
+  std::function<int(Registry&, const Arguments&)> run;
 };
 
 Command run_command();

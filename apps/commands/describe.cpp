@@ -25,6 +25,7 @@ void print_entry(const std::string& kind, const Entry& entry) {
     fmt::print("  equation: {}\n", entry.description.equation);
   }
   if (!entry.description.source.empty()) fmt::print("  source: {}\n", entry.description.source);
+  if (!entry.library.empty()) fmt::print("  loaded from: {}\n", entry.library);
   fmt::print("{}", entry.keys.empty() ? "  no keys\n" : "  keys:\n");
   for (const KeyInfo& key : entry.keys) print_key(key, 4);
 }

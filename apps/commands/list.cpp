@@ -31,7 +31,8 @@ int list(const Registry& registry, const Arguments& arguments) {
     found = true;
     fmt::print("{}\n", kind);
     for (const auto& entry : catalogue.entries()) {
-      fmt::print("  {:<18} {}\n", entry.name, entry.description.text);
+      fmt::print("  {:<18} {}{}\n", entry.name, entry.description.text,
+                 entry.library.empty() ? "" : " [" + entry.library + "]");
     }
   });
   if (!found) throw Error("there is no kind '" + *wanted + "'; " + did_you_mean(*wanted, kinds));

@@ -63,7 +63,7 @@ int run_in(const fs::path& folder, const std::string& name, const Scene& scene,
   }
 }
 
-int run(const Registry& registry, const Arguments& arguments) {
+int run(Registry& registry, const Arguments& arguments) {
   const std::string name = fs::path(*arguments.operand(0)).stem().string();
   const bool quiet = arguments.has("--quiet");
   if (quiet) spdlog::set_level(spdlog::level::warn);

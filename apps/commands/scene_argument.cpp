@@ -1,6 +1,9 @@
 #include "apps/commands/scene_argument.h"
 
+#include <algorithm>
+
 #include "apps/overrides.h"
+#include "core/load_plugin.h"
 
 namespace ringlet {
 
@@ -12,10 +15,26 @@ std::vector<Option> scene_options() {
           {.name = "--steps", .value = "N", .meaning = "instead of the scene's number of steps"}};
 }
 
-Scene read_scene_argument(const Registry& registry, const Arguments& arguments) {
+namespace {
+
+/// The scene names all that is loaded, so that what is written of it runs again as it is.
+void name_plugins(Json& scene, const Registry& registry) {
+  Json& plugins = scene["plugins"];
+  const bool is_readable =
+      plugins.is_null() ||
+      (plugins.is_array() &&
+       std::all_of(plugins.begin(), plugins.end(), [](const Json& p) { return p.is_string(); }));
+  if (is_readable) plugins = registry.libraries();
+}
+
+}  // namespace
+
+Scene read_scene_argument(Registry& registry, const Arguments& arguments) {
   const std::filesystem::path path = *arguments.operand(0);
   Json json = load_json(path);
   for (const std::string& assignment : arguments.values("--set")) apply_override(json, assignment);
+  load_plugins_of(json, path.parent_path(), registry);
+  if (json.is_object()) name_plugins(json, registry);
   Scene scene = read_scene(json, registry, path.parent_path());
   if (const auto steps = arguments.integer("--steps", 0)) scene.run.steps = *steps;
   return scene;

@@ -9,6 +9,6 @@ namespace ringlet {
 std::vector<Option> scene_options();
 
 /// Reads the scene that the first operand names, changed as those options ask. Throws Error.
-Scene read_scene_argument(const Registry& registry, const Arguments& arguments);
+Scene read_scene_argument(Registry& registry, const Arguments& arguments);
 
 }  // namespace ringlet

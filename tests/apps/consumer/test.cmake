@@ -1,5 +1,6 @@
-# Installs ringlet to a folder of its own, builds the consumer against it, and runs the consumer and
-# the installed program there. Called by CTest with BUILD, SOURCE, WORK and CXX.
+# Installs ringlet to a folder of its own, builds the consumer and the example plugins against it, and
+# runs them and the installed program there. Called by CTest with BUILD, SOURCE, EXAMPLES, WORK and
+# CXX.
 function(must)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
@@ -10,8 +11,23 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 must(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
-must(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Debug
-     -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_FLAGS=${CXX_FLAGS} -DCMAKE_PREFIX_PATH=${WORK}/prefix)
-must(${CMAKE_COMMAND} --build ${WORK}/build)
+function(build source folder type)
+  must(${CMAKE_COMMAND} -S ${source} -B ${folder} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${type}
+       -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_FLAGS=${CXX_FLAGS}
+       -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+  must(${CMAKE_COMMAND} --build ${folder})
+endfunction()
+
+build(${SOURCE} ${WORK}/build Debug)
 must(${WORK}/build/consumer)
 must(${WORK}/prefix/bin/ringlet check ${WORK}/prefix/share/ringlet/scenes/first_curl.json)
+
+foreach(example chord_bend)
+  file(COPY ${EXAMPLES}/${example} DESTINATION ${WORK})
+  set(folder ${WORK}/${example})
+  build(${folder} ${folder}/build Release)
+  must(${WORK}/prefix/bin/ringlet verify ${example} --plugin ${folder}/build/${example}.so)
+  must(${WORK}/prefix/bin/ringlet run ${folder}/scene.json -o ${folder}/results --quiet)
+  # What was written of the scene names the plugin, too.
+  must(${WORK}/prefix/bin/ringlet check ${folder}/results/scene.resolved.json)
+endforeach()
