@@ -1,5 +1,6 @@
 #include "core/modules.h"
 #include "core/simulation.h"
+#include "core/verify/verify_energy.h"
 #include "energies/modules.h"
 #include "solvers/modules.h"
 #include "tests/catch.h"
@@ -36,4 +37,13 @@ TEST_CASE("the README's energy of its own bends a strand back to its rest shape"
   for (int step = 1; step < 100; ++step) report = simulation.step();
   CHECK(report.failure.empty());
   CHECK(chord(0) == Approx(rest_chord).epsilon(1e-5));
+}
+
+TEST_CASE("verify finds nothing wrong with the README's energy") {
+  Registry registry;
+  register_chord_bend(registry);
+  for (const Claim& claim : verify_energy(energy_maker(registry, "chord_bend"), {})) {
+    INFO(claim.text << ", " << claim.worst << " in " << claim.worst_state);
+    CHECK(claim.holds());
+  }
 }
