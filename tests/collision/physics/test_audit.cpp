@@ -65,7 +65,9 @@ TEST_CASE("a scene without collision has no stage and spends no time on it") {
     "strands": {"type": "explicit", "strands": [[[0, 0, 0], [0.1, 0.1, 0]]]},
     "forces": [{"type": "gravity"}]})");
   CHECK(simulation.model().collision == nullptr);
-  CHECK(simulation.step().seconds.detect == 0);
+  const StageSeconds seconds = simulation.step().seconds;
+  CHECK(seconds.detect == 0);
+  CHECK(seconds.couple == 0);
 }
 
 TEST_CASE("nothing passes a barrier, however soft it is and whatever the response of a spring") {
