@@ -1,4 +1,5 @@
 #include <limits>
+#include <stdexcept>
 
 #include "solvers/newton.h"
 #include "tests/catch.h"
@@ -174,4 +175,19 @@ TEST_CASE("the iteration cap is reported") {
   CHECK(report.newton_iterations == 2);
   CHECK_FALSE(report.newton_converged);
   CHECK(report.newton_update > 0);
+}
+
+TEST_CASE("an exception of an energy is told with the name of the energy") {
+  class Failing final : public Energy {
+   public:
+    void bind(const Strands&, const StrandGroups&) override {}
+    double add(int, std::span<const Vector3<Pack>>, EdgeOutputs) const override {
+      throw std::runtime_error("out of luck");
+    }
+  };
+  const auto model = make_model({4, 7}, true);
+  add_energy(*model, std::make_unique<Failing>());
+  State state = rest_state(*model);
+  const std::string expected = "energy '" + model->energy_names[0] + "': out of luck";
+  CHECK_THROWS_WITH(minimise(*model, {}, state, 0.01), expected);
 }
