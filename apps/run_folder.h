@@ -6,6 +6,9 @@
 
 namespace ringlet {
 
+/// Makes a folder, with those above it, unless it is there and empty. Throws Error.
+std::filesystem::path create_empty_folder(const std::filesystem::path& folder);
+
 /// Creates the folder of a run. No existing result is ever touched: a folder that is wanted by name
 /// must be new or empty, else Error is thrown; the default, results/SCENE below the working folder,
 /// goes on to SCENE_2, SCENE_3, ... until one is new.

@@ -21,7 +21,8 @@ install(DIRECTORY apps/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/ringlet)
 
 configure_package_config_file(cmake/ringletConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/ringletConfig.cmake
-                              INSTALL_DESTINATION ${ringlet_cmake_folder})
+                              INSTALL_DESTINATION ${ringlet_cmake_folder}
+                              PATH_VARS CMAKE_INSTALL_BINDIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/ringletConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/ringletConfig.cmake

@@ -21,6 +21,7 @@ Command run_command();
 Command check_command();
 Command list_command();
 Command describe_command();
+Command new_command();
 Command verify_command();
 Command eval_command();
 Command bench_command();
