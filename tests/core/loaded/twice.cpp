@@ -1,25 +1,11 @@
 // A plugin that offers a second thing of one name, after a right one.
-#include "core/contact_energy.h"
-#include "core/plugin.h"
+#include "tests/core/loaded/nothing.h"
 
 namespace {
 
-/// Pushes nothing.
-class Nothing final : public ringlet::ContactEnergy {
- public:
-  ringlet::DistanceEnergy at(double, double, double) const override { return {}; }
-  bool is_barrier() const override { return false; }
-};
-
-void register_nothing(ringlet::Registry& registry) {
-  registry.of<ringlet::ContactEnergy>().add<ringlet::NoParameters>(
-      "nothing", {"for tests", "0", ""},
-      [](const ringlet::NoParameters&) { return std::make_unique<Nothing>(); });
-}
-
 void register_twice(ringlet::Registry& registry) {
-  register_nothing(registry);
-  register_nothing(registry);
+  ringlet::register_nothing(registry);
+  ringlet::register_nothing(registry);
 }
 
 }  // namespace
