@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include "core/element.h"
 
@@ -33,30 +33,10 @@ Eigen::Matrix<double, 3 * (K - 1), 3 * (K - 1)> dense_hessian(
 }
 
 /// Filter::absolute by the eigenvalues of an exact Hessian over the vertices; any other filter
-/// clamps them. It costs a hundred times what a closed form costs.
+/// clamps them. It costs a hundred times what a closed form costs. Compiled once for all K there
+/// are: it takes longer than the rest of a kernel.
 template <int K>
-[[gnu::noinline]] void filter_eigenvalues(Filter filter, Derivatives<double, K>& derivatives) {
-  using Dense = Eigen::Matrix<double, 3 * K, 3 * K>;
-  const auto differences = edge_differences<K>();
-  const Dense hessian = differences.transpose() * dense_hessian(derivatives) * differences;
-  const Eigen::SelfAdjointEigenSolver<Dense> solver(hessian);
-  const Eigen::Vector<double, 3 * K> eigenvalues = filter == Filter::absolute
-                                                       ? solver.eigenvalues().cwiseAbs().eval()
-                                                       : solver.eigenvalues().cwiseMax(0.0).eval();
-  const Dense filtered =
-      solver.eigenvectors() * eigenvalues.asDiagonal() * solver.eigenvectors().transpose();
-  // It is as invariant under translations as the exact Hessian: seen from the first vertex,
-  // x_n = e_0 + ... + e_{n-1}.
-  for (int row = 0; row < K - 1; ++row) {
-    for (int column = 0; column <= row; ++column) {
-      Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-      for (int n = row + 1; n < K; ++n) {
-        for (int m = column + 1; m < K; ++m) sum += filtered.template block<3, 3>(3 * n, 3 * m);
-      }
-      for (int m = 0; m < 9; ++m) derivatives.block(row, column).m[m] = sum(m / 3, m % 3);
-    }
-  }
-}
+void filter_eigenvalues(Filter filter, Derivatives<double, K>& derivatives);
 
 /// The same lane by lane.
 template <int K>

@@ -17,7 +17,16 @@ namespace ringlet {
 namespace {
 
 /// What can be new, and the example from which it starts.
-const std::map<std::string, std::string> examples{{"energy", "chord_bend"}};
+const std::map<std::string, std::string> examples{{"energy", "chord_bend"},
+                                                  {"solver", "conjugate_residual"},
+                                                  {"collider", "ring"},
+                                                  {"writer", "tip_track"}};
+
+std::vector<std::string> kinds() {
+  std::vector<std::string> names;
+  for (const auto& [kind, example] : examples) names.push_back(kind);
+  return names;
+}
 
 bool is_name(const std::string& name) {
   const auto fits = [](unsigned char c) { return std::islower(c) || std::isdigit(c) || c == '_'; };
@@ -46,10 +55,20 @@ std::string type_name(const std::string& name) {
   return type;
 }
 
+bool is_word(const std::string& text, std::size_t at, std::size_t size) {
+  const auto is = [&](auto kind, std::size_t place) {
+    return place < text.size() && kind(static_cast<unsigned char>(text[place])) != 0;
+  };
+  return !(at > 0 && is(isalpha, at - 1)) && !is(islower, at + size);
+}
+
+/// Only where it is a word: 'ring' in 'register_ring' and not in 'string', 'Ring' in
+/// 'RingParameters'.
 std::string replace_all(std::string text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
-    text.replace(at, from.size(), to);
-    at += to.size();
+    const bool replaces = is_word(text, at, from.size());
+    if (replaces) text.replace(at, from.size(), to);
+    at += replaces ? to.size() : from.size();
   }
   return text;
 }
@@ -58,9 +77,7 @@ int write_project(const Registry& registry, const Arguments& arguments) {
   const std::string kind = *arguments.operand(0), name = *arguments.operand(1);
   const auto example = examples.find(kind);
   if (example == examples.end()) {
-    std::vector<std::string> known;
-    for (const auto& [what, project] : examples) known.push_back(what);
-    throw Error("'" + kind + "' cannot be started from an example; " + did_you_mean(kind, known));
+    throw Error("'" + kind + "' cannot be started from an example; " + did_you_mean(kind, kinds()));
   }
   check_name(registry, name);
   const auto folder = create_empty_folder(arguments.operand(2).value_or(name));
@@ -82,7 +99,8 @@ int write_project(const Registry& registry, const Arguments& arguments) {
 Command new_command() {
   return {"new",
           {"KIND", "NAME", "[DIR]"},
-          "writes a small complete project of a plugin, for a start; KIND: energy",
+          fmt::format("writes a small complete project of a plugin, for a start; KIND: {}",
+                      fmt::join(kinds(), ", ")),
           {},
           write_project};
 }

@@ -1,10 +1,20 @@
 // That the project which `ringlet new` writes builds and runs is tried against an installed ringlet
 // (consumer/test.cmake).
 
+#include <regex>
+
 #include "tests/apps/program.h"
 #include "tests/catch.h"
 
 using namespace ringlet;
+
+namespace {
+
+std::string undo(std::string text, const std::string& name, const std::string& example) {
+  return std::regex_replace(text, std::regex(name), example);
+}
+
+}  // namespace
 
 TEST_CASE("new writes a project under the wanted name") {
   const Workplace place;
@@ -17,6 +27,31 @@ TEST_CASE("new writes a project under the wanted name") {
              Catch::Contains("struct StiffBend") &&
                  Catch::Contains("RINGLET_PLUGIN(register_stiff_bend)"));
   for (const auto& [name, text] : files) CHECK_THAT(text, !Catch::Contains("chord_bend"));
+}
+
+TEST_CASE("new renames words of an example and nothing else") {
+  const Workplace place;
+  struct Project {
+    const char *kind, *example, *type;
+  };
+  for (const Project& project :
+       {Project{"solver", "conjugate_residual", "ConjugateResidual"},
+        Project{"collider", "ring", "Ring"}, Project{"writer", "tip_track", "TipTrack"}}) {
+    const std::string example = project.example, type = project.type;
+    INFO(example);
+    REQUIRE(place.run({"new", project.kind, "my_own", example}).exit_code == 0);
+    const auto original = read_files(std::filesystem::path(RINGLET_EXAMPLES) / example);
+    const auto files = read_files(place.folder() / example);
+    CHECK(files.size() == original.size());
+    for (const auto& [name, text] : files) {
+      INFO(name);
+      CHECK(undo(undo(text, "my_own", example), "MyOwn", type) ==
+            original.at(undo(name, "my_own", example)));
+      const std::regex forgotten("(^|[^a-z])" + example + "([^a-z]|$)|(^|[^A-Za-z])" + type +
+                                 "([^a-z]|$)");
+      CHECK_FALSE(std::regex_search(text, forgotten));
+    }
+  }
 }
 
 TEST_CASE("new refuses what it cannot write, and writes nothing then") {

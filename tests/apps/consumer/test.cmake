@@ -1,6 +1,6 @@
-# Installs ringlet to a folder of its own, builds the consumer and the example plugins against it, and
-# runs them and the installed program there. Called by CTest with BUILD, SOURCE, EXAMPLES, WORK and
-# CXX.
+# Installs ringlet to a folder of its own, builds against it the consumer, the example plugins and
+# what `ringlet new` writes of every kind, and runs their tests and scenes with the installed
+# program. Called by CTest with BUILD, SOURCE, EXAMPLES, WORK, CXX, CXX_FLAGS and GENERATOR.
 function(must)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
@@ -11,27 +11,37 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 must(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+set(ringlet ${WORK}/prefix/bin/ringlet)
 function(build source folder type)
   must(${CMAKE_COMMAND} -S ${source} -B ${folder} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${type}
        -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_FLAGS=${CXX_FLAGS}
        -DCMAKE_PREFIX_PATH=${WORK}/prefix)
-  must(${CMAKE_COMMAND} --build ${folder})
+  must(${CMAKE_COMMAND} --build ${folder} --parallel 1)
 endfunction()
 
 build(${SOURCE} ${WORK}/build Debug)
 must(${WORK}/build/consumer)
-must(${WORK}/prefix/bin/ringlet check ${WORK}/prefix/share/ringlet/scenes/first_curl.json)
+must(${ringlet} check ${WORK}/prefix/share/ringlet/scenes/first_curl.json)
 
-# As the README of an example says.
-function(try_plugin folder)
-  build(${folder} ${folder}/build Release)
-  must(${CMAKE_CTEST_COMMAND} --test-dir ${folder}/build --output-on-failure)
-  must(${WORK}/prefix/bin/ringlet run ${folder}/scene.json -o ${folder}/results --quiet)
+file(GLOB examples ${EXAMPLES}/*/CMakeLists.txt)
+set(projects "")
+foreach(example IN LISTS examples)
+  get_filename_component(folder ${example} DIRECTORY)
+  get_filename_component(name ${folder} NAME)
+  file(COPY ${folder} DESTINATION ${WORK})
+  list(APPEND projects ${WORK}/${name})
+endforeach()
+foreach(kind energy solver collider writer)
+  must(${ringlet} new ${kind} my_${kind} ${WORK}/my_${kind})
+  list(APPEND projects ${WORK}/my_${kind})
+endforeach()
+
+# One configuration for all.
+file(COPY_FILE ${SOURCE}/plugins.cmake ${WORK}/CMakeLists.txt)
+build(${WORK} ${WORK}/plugins Release)
+must(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/plugins --output-on-failure)
+foreach(folder IN LISTS projects)
+  must(${ringlet} run ${folder}/scene.json -o ${folder}/results --quiet)
   # What was written of the scene names the plugin, too.
-  must(${WORK}/prefix/bin/ringlet check ${folder}/results/scene.resolved.json)
-endfunction()
-
-file(COPY ${EXAMPLES}/chord_bend DESTINATION ${WORK})
-try_plugin(${WORK}/chord_bend)
-must(${WORK}/prefix/bin/ringlet new energy my_bend ${WORK}/my_bend)
-try_plugin(${WORK}/my_bend)
+  must(${ringlet} check ${folder}/results/scene.resolved.json)
+endforeach()

@@ -1,0 +1,10 @@
+# Whether FILE has a head, a row for the start and each of 60 steps, and nothing else.
+file(STRINGS ${FILE} lines)
+list(LENGTH lines count)
+list(POP_FRONT lines head)
+set(number "-?[0-9.]+(e-?[0-9]+)?")
+set(row "^${number},${number},${number},${number},${number},${number},${number}$")
+list(FILTER lines EXCLUDE REGEX "${row}")
+if(NOT count EQUAL 62 OR NOT head STREQUAL "time,x_0,y_0,z_0,x_2,y_2,z_2" OR lines)
+  message(FATAL_ERROR "${FILE}: ${count} lines below the head '${head}'; not a row: '${lines}'")
+endif()
