@@ -27,12 +27,13 @@ SceneRun::SceneRun(const Scene& scene, Simulation& simulation, std::filesystem::
     : scene_(scene),
       simulation_(simulation),
       folder_(std::move(folder)),
-      metrics_(list_metrics(simulation.model().energy_names)),
+      metrics_(list_metrics(energy_names(simulation.model()))),
       metrics_file_(folder_ / "metrics.csv", metrics_) {
   write_json(folder_ / "scene.resolved.json", scene.resolved());
   for (const auto& writer : scene.run.write) {
     observers_.push_back(writer.make());
-    observers_.back()->begin(simulation.model(), simulation.state(), folder_);
+    Observer& observer = *observers_.back();
+    naming(observer, [&] { observer.begin(simulation.model(), simulation.state(), folder_); });
   }
 }
 
@@ -44,7 +45,8 @@ RunRecord SceneRun::run(const std::string& name, bool quiet) {
   try {
     run_steps(record, quiet);
     for (const auto& observer : observers_) {
-      observer->end(simulation_.model(), simulation_.state(), record.steps);
+      naming(*observer,
+             [&] { observer->end(simulation_.model(), simulation_.state(), record.steps); });
     }
   } catch (const Error& error) {
     record.failure = error.what();
@@ -88,7 +90,9 @@ void SceneRun::record_step(RunRecord& record, const StepReport& report, double s
   for (ExpectationResult& result : check_step(scene_.expect, record.steps, metrics_, row)) {
     record.expectations.push_back(std::move(result));
   }
-  for (const auto& observer : observers_) observer->observe(model, state, record.steps, report);
+  for (const auto& observer : observers_) {
+    naming(*observer, [&] { observer->observe(model, state, record.steps, report); });
+  }
 }
 
 }  // namespace ringlet

@@ -4,18 +4,24 @@
 
 #include "collision/continuous.h"
 #include "core/parallel.h"
+#include "core/registry.h"
 
 namespace ringlet {
 namespace {
+
+void ask(const Collider& collider, std::span<const Eigen::Vector3d> points, double reach,
+         std::span<std::optional<Proximity>> found) {
+  naming(collider, [&] { collider.near(points, reach, found); });
+}
 
 /// The proximities of no more points than a chunk has vertices, in a collider's own frame.
 struct Neighbourhood {
   std::array<Eigen::Vector3d, chunk_edges + 1> points;
   std::array<std::optional<Proximity>, chunk_edges + 1> found;
 
-  void ask(const Collider& collider, int count, double reach) {
+  void find(const Collider& collider, int count, double reach) {
     found.fill(std::nullopt);
-    collider.near(std::span(points).first(count), reach, std::span(found).first(count));
+    ask(collider, std::span(points).first(count), reach, std::span(found).first(count));
   }
 };
 
@@ -46,7 +52,7 @@ double ColliderContacts::free_part(int collider, const Eigen::Vector3d& from,
   return ringlet::free_part(longest, kept, [&](double part) {
     const Eigen::Vector3d point = to_collider * (from + part * (to - from));
     std::optional<Proximity> found;
-    colliders_[collider]->near({&point, 1}, far, {&found, 1});
+    ask(*colliders_[collider], {&point, 1}, far, {&found, 1});
     return found ? found->distance : far;
   });
 }
@@ -120,7 +126,7 @@ double ColliderContacts::deepest(std::span<const Eigen::Vector3d> positions) con
       if (!is_free_[v]) return;
       const Eigen::Vector3d point = to_collider * positions[v];
       std::optional<Proximity> found;
-      colliders_[c]->near({&point, 1}, 0, {&found, 1});
+      ask(*colliders_[c], {&point, 1}, 0, {&found, 1});
       if (found) depths[v] = std::max(depths[v], -found->distance);
     });
   }
@@ -158,7 +164,7 @@ void ColliderContacts::find_near(int collider, const EdgeChunk& chunk, bool free
   }
   const int count = static_cast<int>(vertices.size());
   if (count == 0) return;
-  neighbourhood.ask(*colliders_[collider], count, reach);
+  neighbourhood.find(*colliders_[collider], count, reach);
   int kept = 0;
   for (int n = 0; n < count; ++n) {
     const auto& found = neighbourhood.found[n];
@@ -213,7 +219,7 @@ void ColliderContacts::evaluate_batch(const Batch& batch, const VertexField& x,
   for (int n = 0; n < count; ++n) {
     neighbourhood.points[n] = to_collider * x.get(vertices_[batch.begin + n]);
   }
-  neighbourhood.ask(*colliders_[batch.collider], count, law_.thickness);
+  neighbourhood.find(*colliders_[batch.collider], count, law_.thickness);
   for (int n = 0; n < count; ++n) {
     const auto& found = neighbourhood.found[n];
     if (!found || !(found->distance < law_.thickness)) continue;

@@ -24,7 +24,7 @@ struct Contact {
   DistanceEnergy energy;
 
   CouplingTerm term() const {
-    return {vertices, weights, energy.value, energy.slope * normal,
+    return {vertices, weights, energy.slope * normal,
             energy.curvature * normal * normal.transpose()};
   }
 };

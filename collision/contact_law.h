@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/contact_energy.h"
+#include "core/registry.h"
 
 namespace ringlet {
 
@@ -10,7 +11,9 @@ struct ContactLaw {
   double thickness;  ///< m
   double stiffness;  ///< N/m
 
-  DistanceEnergy at(double distance) const { return energy->at(distance, thickness, stiffness); }
+  DistanceEnergy at(double distance) const {
+    return naming(*energy, [&] { return energy->at(distance, thickness, stiffness); });
+  }
 };
 
 }  // namespace ringlet

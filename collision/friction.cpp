@@ -58,16 +58,16 @@ double Friction::add(const VertexField& x, Couplings* couplings) const {
         tangential * (weighted_sum(contact.vertices, contact.weights, x) - contact.start);
     const double distance = slid.norm();
     const Smoothed f = smoothed_distance(distance, sticking_distance_);
-    const double value = contact.limit * f.value;
-    energy += value;
+    energy += contact.limit * f.value;
     if (couplings == nullptr) continue;
     Eigen::Matrix3d curvature = f.slope_over_distance * tangential;
     if (distance > 0) {
       const Eigen::Vector3d along = slid / distance;
       curvature += (f.curvature - f.slope_over_distance) * along * along.transpose();
     }
-    couplings->add({contact.vertices, contact.weights, value,
-                    contact.limit * f.slope_over_distance * slid, contact.limit * curvature});
+    couplings->add(CouplingTerm{contact.vertices, contact.weights,
+                                contact.limit * f.slope_over_distance * slid,
+                                contact.limit * curvature});
   }
   return energy;
 }

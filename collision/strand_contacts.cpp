@@ -1,6 +1,7 @@
 #include "collision/strand_contacts.h"
 
 #include "collision/contact_law.h"
+#include "core/registry.h"
 
 namespace ringlet {
 namespace {
@@ -29,7 +30,8 @@ StrandContacts::StrandContacts(const Strands& strands, std::unique_ptr<ContactDe
 }
 
 void StrandContacts::detect(std::span<const Eigen::Vector3d> positions) {
-  detector_->find(positions, parameters_.thickness + parameters_.margin, pairs_);
+  naming(*detector_,
+         [&] { detector_->find(positions, parameters_.thickness + parameters_.margin, pairs_); });
   std::erase_if(pairs_, [&](const EdgePair& pair) { return !rule_.allows(pair); });
   limit_thickness();
 }

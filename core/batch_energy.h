@@ -2,27 +2,17 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/autodiff.h"
 #include "core/counted.h"
-#include "core/element.h"
 #include "core/energy.h"
-#include "core/numeric_filter.h"
+#include "core/kernel_derivatives.h"
+#include "core/parallel.h"
 #include "core/registry.h"
 
 namespace ringlet {
-
-template <>
-struct EnumNames<Filter> {
-  static constexpr std::pair<Filter, const char*> names[] = {
-      {Filter::tight, "tight"}, {Filter::paper, "paper"},
-      {Filter::exact, "exact"}, {Filter::gauss_newton, "gauss_newton"},
-      {Filter::clamp, "clamp"}, {Filter::absolute, "absolute"}};
-};
 
 /// How the elements of a batch are computed: strands side by side in lanes, or one after the other
 /// with plain doubles (slow; the oracle of the lanes).
@@ -34,20 +24,6 @@ struct EnumNames<Evaluation> {
                                                                  {Evaluation::scalar, "scalar"}};
 };
 
-/// Parameters that every energy made from a kernel has.
-struct BatchOptions {
-  Filter filter = Filter::tight;
-  Evaluation evaluation = Evaluation::lanes;
-
-  static Schema<BatchOptions> schema() {
-    return Schema<BatchOptions>()
-        .key("filter", &BatchOptions::filter, "", any_number(),
-             "how the Hessian of an element is made positive semi-definite")
-        .key("evaluation", &BatchOptions::evaluation, "", any_number(),
-             "strands side by side in lanes, or one by one (slow, for comparison)");
-  }
-};
-
 /// Makes an Energy of a kernel: loops over the elements of a group, fills the lanes, and assembles
 /// gradient and bands. The author of an energy writes the kernel only.
 template <ElementKernel Kernel>
@@ -55,8 +31,8 @@ class BatchEnergy final : public Energy, public ElementFunction {
  public:
   static constexpr int K = Kernel::vertices;
 
-  BatchEnergy(Kernel kernel, const BatchOptions& options)
-      : kernel_(std::move(kernel)), options_(options) {}
+  BatchEnergy(Kernel kernel, Filter filter, Evaluation evaluation)
+      : element_(std::move(kernel), filter), evaluation_(evaluation) {}
 
   void bind(const Strands& strands, const StrandGroups& groups) override {
     groups_ = &groups;
@@ -71,9 +47,22 @@ class BatchEnergy final : public Energy, public ElementFunction {
     }
   }
 
+  void begin_step(const StepStart& start) override {
+    if constexpr (UpdatedKernel<Kernel>) {
+      const StepTime time{start.end(), start.dt};
+      parallel_for_each(groups_->count(), [&](int g) {
+        Rest<Pack>* rest = &rest_[(*groups_)[g].first_row];
+        const auto x = start.state.positions.group(g);
+        for (int i = 0; i + K <= static_cast<int>(x.size()); ++i) {
+          update(window(x, i), rest[i], time);
+        }
+      });
+    }
+  }
+
   double add(int group, std::span<const Vector3<Pack>> x, EdgeOutputs outputs) const override {
-    return options_.evaluation == Evaluation::lanes ? add_in_lanes(group, x, outputs)
-                                                    : add_one_by_one(group, x, outputs);
+    return evaluation_ == Evaluation::lanes ? add_in_lanes(group, x, outputs)
+                                            : add_one_by_one(group, x, outputs);
   }
 
   const ElementFunction* element_function() const override {
@@ -87,7 +76,7 @@ class BatchEnergy final : public Energy, public ElementFunction {
       Stencil<double, K> x;
       for (int n = 0; n < K; ++n) x[n] = from_eigen(positions.col(n));
       Derivatives<double, K> derivatives;
-      result.value = evaluate_element(x, kernel_.rest_of(stiffness, rest), derivatives);
+      result.value = element_.evaluate(x, kernel().rest_of(stiffness, rest), derivatives);
       const auto differences = edge_differences<K>();
       Eigen::Vector<double, 3 * (K - 1)> gradient;
       for (int n = 0; n < K - 1; ++n) {
@@ -107,14 +96,14 @@ class BatchEnergy final : public Energy, public ElementFunction {
       for (int n = 0; n < K; ++n) {
         x[n] = {count(positions(0, n)), count(positions(1, n)), count(positions(2, n))};
       }
-      using Numbers = std::array<double, rest_size>;
-      const auto numbers = std::bit_cast<Numbers>(kernel_.rest_of(stiffness, rest));
-      std::array<Counted, rest_size> counted;
+      using Numbers = std::array<double, Lanes::size>;
+      const auto numbers = std::bit_cast<Numbers>(kernel().rest_of(stiffness, rest));
+      std::array<Counted, Lanes::size> counted;
       std::transform(numbers.begin(), numbers.end(), counted.begin(), count);
       Derivatives<Counted, K> derivatives;
-      with_kernel_filter([&]<Filter filter>() {
-        return evaluate_kernel<filter>(x, std::bit_cast<Rest<Counted>>(counted),
-                                       derivatives.outputs());
+      element_.with_kernel_filter([&]<Filter filter>() {
+        return element_.template evaluate_kernel<filter>(x, std::bit_cast<Rest<Counted>>(counted),
+                                                         derivatives.outputs());
       });
     }
     return cost;
@@ -123,84 +112,44 @@ class BatchEnergy final : public Energy, public ElementFunction {
  private:
   template <class S>
   using Rest = typename Kernel::template Rest<S>;
-  static constexpr int rest_size = sizeof(Rest<double>) / sizeof(double);
-  static_assert(sizeof(Rest<Pack>) == rest_size * sizeof(Pack), "Rest<S> must hold only scalars S");
+  using Lanes = RestLanes<Kernel>;
+
+  const Kernel& kernel() const { return element_.kernel(); }
 
   void bind_element(const Strands& strands, const VertexField& field, int g, int i, int lane) {
     const StrandGroup& group = (*groups_)[g];
     const int strand = group.strands[lane];
     const bool is_element = strand >= 0 && i + K <= strands.size(strand);
-    ElementRest<K> element{{}, {}, {}, strands.material()};
+    ElementRest<K> element{{}, {}, {}, {}, strands, {}};
     element.radii.fill(1);
     for (int n = 0; n < K; ++n) {
       // What reaches into the pads has no stiffness, but its rest data must be benign all the same:
       // it is bound to the helix that the pads form.
       element.positions[n] =
           is_element ? lane_of(field.group(g)[i + n], lane) : pad_position(i + n);
-      if (is_element) element.radii[n] = strands.radius(strands.first(strand) + i + n);
+      if (is_element) element.vertices[n] = strands.first(strand) + i + n;
+      if (is_element) element.radii[n] = strands.radius(element.vertices[n]);
       if (n > 0) element.lengths[n - 1] = norm(element.positions[n] - element.positions[n - 1]);
     }
-    Rest<double> rest = kernel_.rest(element);
+    element.material = strands.material().between_vertices(strands, element.vertices[(K - 1) / 2],
+                                                           element.vertices[K / 2]);
+    Rest<double> rest = kernel().rest(element);
     if (!is_element) rest.stiffness = 0;
-    set_lane(rest_[group.first_row + i], lane, rest);
+    Lanes::set(rest_[group.first_row + i], lane, rest);
   }
 
   static Vector3<double> lane_of(const Vector3<Pack>& p, int lane) {
     return {p.x[lane], p.y[lane], p.z[lane]};
   }
 
-  static void set_lane(Rest<Pack>& packs, int lane, const Rest<double>& rest) {
-    for (int n = 0; n < rest_size; ++n) {
-      std::memcpy(reinterpret_cast<char*>(&packs) + n * sizeof(Pack) + lane * sizeof(double),
-                  reinterpret_cast<const char*>(&rest) + n * sizeof(double), sizeof(double));
-    }
-  }
-  static Rest<double> get_lane(const Rest<Pack>& packs, int lane) {
-    Rest<double> rest;
-    for (int n = 0; n < rest_size; ++n) {
-      std::memcpy(reinterpret_cast<char*>(&rest) + n * sizeof(double),
-                  reinterpret_cast<const char*>(&packs) + n * sizeof(Pack) + lane * sizeof(double),
-                  sizeof(double));
-    }
-    return rest;
-  }
-
-  static constexpr bool has_closed_form = ClosedFormKernel<Kernel>;
-
-  /// What the kernel itself is asked for; filters_numerically() says whether more remains.
-  template <Filter filter, class S>
-  S evaluate_kernel(const Stencil<S, K>& x, const Rest<S>& rest,
-                    ElementOutputs<S, K> outputs) const {
-    if constexpr (has_closed_form) {
-      return kernel_.evaluate(x, rest, filter, outputs);
-    } else {
-      return evaluate_by_autodiff(kernel_, x, rest, outputs);
-    }
-  }
-  bool filters_numerically() const {
-    return is_numeric(options_.filter) || (!has_closed_form && options_.filter != Filter::exact);
-  }
-  /// use.template operator()<F>() with the filter F that the kernel is asked for.
-  template <class Use>
-  auto with_kernel_filter(const Use& use) const {
-    if constexpr (has_closed_form) {
-      if (options_.filter == Filter::tight) return use.template operator()<Filter::tight>();
-      if (options_.filter == Filter::paper) return use.template operator()<Filter::paper>();
-      if (options_.filter == Filter::gauss_newton) {
-        return use.template operator()<Filter::gauss_newton>();
-      }
-    }
-    return use.template operator()<Filter::exact>();
-  }
-
   double add_in_lanes(int group, std::span<const Vector3<Pack>> x, EdgeOutputs outputs) const {
     const Rest<Pack>* rest = &rest_[(*groups_)[group].first_row];
     const bool value_only = outputs.gradient.empty() && outputs.hessian.empty();
     if (value_only) return sum_lanes(add_values(rest, x));
-    if (filters_numerically() || outputs.gradient.empty() || outputs.hessian.empty()) {
+    if (element_.filters_numerically() || outputs.gradient.empty() || outputs.hessian.empty()) {
       return sum_lanes(add_apart(rest, x, outputs));
     }
-    return sum_lanes(with_kernel_filter(
+    return sum_lanes(element_.with_kernel_filter(
         [&]<Filter filter>() { return add_derivatives<filter>(rest, x, outputs); }));
   }
 
@@ -209,7 +158,7 @@ class BatchEnergy final : public Energy, public ElementFunction {
   [[gnu::flatten]] Pack add_values(const Rest<Pack>* rest, std::span<const Vector3<Pack>> x) const {
     Pack energy = 0;
     for (int i = 0; i + K <= static_cast<int>(x.size()); ++i) {
-      energy += kernel_.value(window(x, i), rest[i]);
+      energy += kernel().value(window(x, i), rest[i]);
     }
     return energy;
   }
@@ -218,7 +167,7 @@ class BatchEnergy final : public Energy, public ElementFunction {
                                         EdgeOutputs outputs) const {
     Pack energy = 0;
     for (int i = 0; i + K <= static_cast<int>(x.size()); ++i) {
-      energy += evaluate_kernel<filter>(
+      energy += element_.template evaluate_kernel<filter>(
           window(x, i), rest[i],
           ElementOutputs<Pack, K>(&outputs.gradient[i], &outputs.hessian.block(i, 0)));
     }
@@ -230,18 +179,21 @@ class BatchEnergy final : public Energy, public ElementFunction {
     Pack energy = 0;
     for (int i = 0; i + K <= static_cast<int>(x.size()); ++i) {
       Derivatives<Pack, K> derivatives;
-      energy += evaluate_element(window(x, i), rest[i], derivatives);
+      energy += element_.evaluate(window(x, i), rest[i], derivatives);
       scatter(derivatives, i, outputs);
     }
     return energy;
   }
-  template <class S>
-  S evaluate_element(const Stencil<S, K>& x, const Rest<S>& rest,
-                     Derivatives<S, K>& derivatives) const {
-    const S energy = with_kernel_filter(
-        [&]<Filter filter>() { return evaluate_kernel<filter>(x, rest, derivatives.outputs()); });
-    if (filters_numerically()) filter_eigenvalues(options_.filter, derivatives);
-    return energy;
+  void update(const Stencil<Pack, K>& x, Rest<Pack>& rest, const StepTime& time) const {
+    if (evaluation_ == Evaluation::lanes) {
+      rest = kernel().update(x, rest, time);
+      return;
+    }
+    for (int lane = 0; lane < lane_count; ++lane) {
+      Stencil<double, K> stencil;
+      for (int n = 0; n < K; ++n) stencil[n] = lane_of(x[n], lane);
+      Lanes::set(rest, lane, kernel().update(stencil, Lanes::get(rest, lane), time));
+    }
   }
 
   static Stencil<Pack, K> window(std::span<const Vector3<Pack>> x, int first) {
@@ -271,8 +223,7 @@ class BatchEnergy final : public Energy, public ElementFunction {
         Stencil<double, K> stencil;
         for (int n = 0; n < K; ++n) stencil[n] = lane_of(x[i + n], lane);
         Derivatives<double, K> derivatives;
-        const Rest<double> lane_rest = get_lane(rest[i], lane);
-        energies[lane] += evaluate_element(stencil, lane_rest, derivatives);
+        energies[lane] += element_.evaluate(stencil, Lanes::get(rest[i], lane), derivatives);
         scatter_lane(derivatives, i, lane, outputs);
       }
     }
@@ -301,8 +252,8 @@ class BatchEnergy final : public Energy, public ElementFunction {
     }
   }
 
-  Kernel kernel_;
-  BatchOptions options_;
+  KernelDerivatives<Kernel> element_;
+  Evaluation evaluation_;
   const StrandGroups* groups_ = nullptr;
   std::vector<Rest<Pack>> rest_;
 };
@@ -311,29 +262,26 @@ class BatchEnergy final : public Energy, public ElementFunction {
 template <class Kernel>
 struct BatchParameters {
   typename Kernel::Parameters kernel;
-  BatchOptions options;
+  FilterChoice<Kernel> filter;
+  Evaluation evaluation = Evaluation::lanes;
 
   static Schema<BatchParameters> schema() {
     return Schema<BatchParameters>()
         .include(&BatchParameters::kernel)
-        .include(&BatchParameters::options)
-        .check([](BatchParameters& parameters, const std::string& pointer, ParseContext& context) {
-          const Filter filter = parameters.options.filter;
-          if (ClosedFormKernel<Kernel> || is_numeric(filter)) return;
-          if (filter == Filter::tight || filter == Filter::exact) return;
-          context.problem(pointer_to(pointer, "filter"),
-                          "this energy gives only its value; expected one of tight, exact, clamp, "
-                          "absolute");
-        });
+        .include(&BatchParameters::filter)
+        .key("evaluation", &BatchParameters::evaluation, "", any_number(),
+             "strands side by side in lanes, or one by one (slow, for comparison)");
   }
 };
 
 /// Registers the energy that a kernel defines.
 template <ElementKernel Kernel>
 void register_energy(Registry& registry, const std::string& name, Description description) {
-  registry.of<Energy>().add<BatchParameters<Kernel>>(
-      name, std::move(description), [](const BatchParameters<Kernel>& parameters) {
-        return std::make_unique<BatchEnergy<Kernel>>(Kernel{parameters.kernel}, parameters.options);
+  using Parameters = BatchParameters<Kernel>;
+  registry.of<Energy>().add<Parameters>(
+      name, std::move(description), [](const Parameters& parameters) {
+        return std::make_unique<BatchEnergy<Kernel>>(
+            Kernel{parameters.kernel}, parameters.filter.filter, parameters.evaluation);
       });
 }
 

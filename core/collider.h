@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "core/named.h"
 #include "core/parameters.h"
 
 namespace ringlet {
@@ -30,7 +31,7 @@ struct ColliderPlacement {
 };
 
 /// A rigid body that strands may touch, described in its own frame, which its motion places.
-class Collider {
+class Collider : public Named {
  public:
   virtual ~Collider() = default;
   virtual const ColliderPlacement& placement() const = 0;

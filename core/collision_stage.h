@@ -6,6 +6,7 @@
 
 #include "core/couplings.h"
 #include "core/motion.h"
+#include "core/named.h"
 #include "core/strands.h"
 #include "core/vertex_field.h"
 
@@ -29,7 +30,7 @@ struct ContactReport {
 };
 
 /// Finds contacts and resists them. A scene that names no collision has no stage at all.
-class CollisionStage {
+class CollisionStage : public Named {
  public:
   virtual ~CollisionStage() = default;
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/named.h"
 #include "core/strands.h"
 
 namespace ringlet {
@@ -17,7 +18,7 @@ struct EdgePair {
 };
 
 /// Finds the pairs of edges that are near each other, whatever strands they belong to.
-class ContactDetector {
+class ContactDetector : public Named {
  public:
   virtual ~ContactDetector() = default;
 

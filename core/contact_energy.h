@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/named.h"
+
 namespace ringlet {
 
 /// A contact energy E(d) of a distance, J, and its first two derivatives.
@@ -11,7 +13,7 @@ struct DistanceEnergy {
 
 /// How hard what is in contact is pushed apart: a function of the distance d of two edges, or of a
 /// vertex and a collider.
-class ContactEnergy {
+class ContactEnergy : public Named {
  public:
   virtual ~ContactEnergy() = default;
   /// Zero, with its slope, from the thickness h, m, on; below it falls with growing distance and is

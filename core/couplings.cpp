@@ -16,9 +16,12 @@ constexpr int none = -1;
 
 void Couplings::clear() {
   terms_.clear();
+  tuples_.clear();
   for (OfGroup& group : of_group_) {
     group.parts.clear();
     group.felt.clear();
+    group.tuple_parts.clear();
+    group.blocks.clear();
     group.first_coupled = group.coupled_count = 0;
   }
   for (const int vertex : coupled_) place_[vertex] = not_coupled;
@@ -28,12 +31,6 @@ void Couplings::clear() {
 std::span<CouplingTerm> Couplings::append(int count) {
   terms_.resize(terms_.size() + count);
   return std::span(terms_).last(count);
-}
-
-double Couplings::value() const {
-  double sum = 0;
-  for (const CouplingTerm& term : terms_) sum += term.value;
-  return sum;
 }
 
 bool Couplings::is_one_part(const CouplingTerm& term) const {
@@ -53,9 +50,13 @@ bool Couplings::fit_into_band(int i, int j) const {
 }
 
 void Couplings::finish(const VertexScalars& free) {
-  if (terms_.empty()) return;
+  if (empty()) return;
   distribute();
-  parallel_for_each(groups_->count(), [&](int g) { find_felt(g, free); });
+  for (int t = 0; t < static_cast<int>(tuples_.size()); ++t) distribute(t);
+  parallel_for_each(groups_->count(), [&](int g) {
+    find_felt(g, free);
+    find_blocks(g, free);
+  });
   int count = 0;
   for (OfGroup& group : of_group_) {
     group.first_coupled = count;
@@ -67,6 +68,10 @@ void Couplings::finish(const VertexScalars& free) {
     for (Felt& felt : of_group_[g].felt) {
       for (int& vertex : felt.rows) vertex = place_[vertex];
       for (int& vertex : felt.columns) vertex = place_[vertex];
+    }
+    for (Block& block : of_group_[g].blocks) {
+      block.row = place_[block.row];
+      block.column = place_[block.column];
     }
   });
 }
@@ -93,6 +98,50 @@ Couplings::Split Couplings::split(const CouplingTerm& term) const {
   return {false, group_of(0, 2), group_of(2, 4)};
 }
 
+/// Each vertex joins the first part with all of whose vertices it fits into the bands.
+void Couplings::distribute(int tuple) {
+  const TupleTerm& term = tuples_[tuple];
+  std::array<TuplePart, 4> parts;
+  int count = 0;
+  for (int i = 0; i < term.count; ++i) {
+    int p = 0;
+    while (p < count && !fits(term, parts[p], i)) ++p;
+    if (p == count) parts[count++] = {tuple, {}};
+    parts[p].has[i] = true;
+  }
+  for (int p = 0; p < count; ++p) {
+    const auto first = std::find(parts[p].has.begin(), parts[p].has.end(), true);
+    const int group = groups_->group_of(term.vertices[first - parts[p].has.begin()]);
+    of_group_[group].tuple_parts.push_back(parts[p]);
+  }
+}
+
+bool Couplings::fits(const TupleTerm& term, const TuplePart& part, int member) const {
+  for (int i = 0; i < term.count; ++i) {
+    if (part.has[i] && !fit_into_band(term.vertices[i], term.vertices[member])) return false;
+  }
+  return true;
+}
+
+/// As find_felt().
+void Couplings::find_blocks(int g, const VertexScalars& free) {
+  for (const TuplePart& part : of_group_[g].tuple_parts) {
+    const TupleTerm& term = tuples_[part.tuple];
+    for (int i = 0; i < term.count; ++i) {
+      if (!part.has[i] || !is_free(term.vertices[i], free)) continue;
+      for (int j = 0; j < term.count; ++j) {
+        if (part.has[j] || !is_free(term.vertices[j], free)) continue;
+        const Eigen::Matrix3d& h = term.hessian[i][j];
+        of_group_[g].blocks.push_back(
+            {term.vertices[i],
+             term.vertices[j],
+             {h(0, 0), h(0, 1), h(0, 2), h(1, 0), h(1, 1), h(1, 2), h(2, 0), h(2, 1), h(2, 2)}});
+        mark(g, term.vertices[i]);
+      }
+    }
+  }
+}
+
 /// Leaves the numbers of vertices in rows and columns, and marks the places of the rows.
 void Couplings::find_felt(int g, const VertexScalars& free) {
   OfGroup& group = of_group_[g];
@@ -107,11 +156,18 @@ void Couplings::find_felt(int g, const VertexScalars& free) {
                           row.weights,
                           column.weights,
                           {c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2)}});
-    for (const int vertex : row.vertices) {
-      group.coupled_count += place_[vertex] == not_coupled ? 1 : 0;
-      place_[vertex] = 0;
-    }
+    for (const int vertex : row.vertices) mark(g, vertex);
   }
+}
+
+void Couplings::mark(int group, int vertex) {
+  of_group_[group].coupled_count += place_[vertex] == not_coupled ? 1 : 0;
+  place_[vertex] = 0;
+}
+
+bool Couplings::is_free(int vertex, const VertexScalars& free) const {
+  const auto [row, lane] = groups_->slot(vertex);
+  return free[row][lane] != 0;
 }
 
 /// An edge of a term without what is pinned. A vertex without weight is replaced by the other one.
@@ -119,8 +175,7 @@ Couplings::FreeEnd Couplings::free_end(const CouplingTerm& term, int first,
                                        const VertexScalars& free) const {
   FreeEnd end{{term.vertices[first], term.vertices[first + 1]}, {0, 0}};
   for (int i = 0; i < 2; ++i) {
-    const auto [row, lane] = groups_->slot(end.vertices[i]);
-    if (free[row][lane] != 0) end.weights[i] = term.weights[first + i];
+    if (is_free(end.vertices[i], free)) end.weights[i] = term.weights[first + i];
   }
   if (end.weights[0] == 0) end.vertices[0] = end.vertices[1];
   if (end.weights[1] == 0) end.vertices[1] = end.vertices[0];
@@ -143,15 +198,24 @@ void Couplings::number_coupled(int g) {
 
 void Couplings::add_gradient(int group, std::span<Vector3<Pack>> rows) const {
   const int first_row = (*groups_)[group].first_row;
+  const auto add_force = [&](int vertex, const Eigen::Vector3d& gradient) {
+    const auto [row, lane] = groups_->slot(vertex);
+    Vector3<Pack>& target = rows[row - first_row];
+    target.x[lane] = target.x[lane] + gradient.x();
+    target.y[lane] = target.y[lane] + gradient.y();
+    target.z[lane] = target.z[lane] + gradient.z();
+  };
   for (const auto& [t, first, end] : of_group_[group].parts) {
     const CouplingTerm& term = terms_[t];
     for (int i = first; i < end; ++i) {
       if (term.weights[i] == 0) continue;
-      const auto [row, lane] = groups_->slot(term.vertices[i]);
-      Vector3<Pack>& target = rows[row - first_row];
-      target.x[lane] = target.x[lane] + term.weights[i] * term.gradient.x();
-      target.y[lane] = target.y[lane] + term.weights[i] * term.gradient.y();
-      target.z[lane] = target.z[lane] + term.weights[i] * term.gradient.z();
+      add_force(term.vertices[i], term.weights[i] * term.gradient);
+    }
+  }
+  for (const TuplePart& part : of_group_[group].tuple_parts) {
+    const TupleTerm& term = tuples_[part.tuple];
+    for (int i = 0; i < term.count; ++i) {
+      if (part.has[i]) add_force(term.vertices[i], term.gradient[i]);
     }
   }
 }
@@ -170,6 +234,23 @@ void Couplings::add_to_bands(int group, GroupBands bands) const {
         for (int m = 0; m < 9; ++m) {
           block.m[m][a.lane] = block.m[m][a.lane] + weight * term.curvature(m / 3, m % 3);
         }
+      }
+    }
+  }
+  for (const TuplePart& part : of_group_[group].tuple_parts) {
+    add_to_bands(part, first_row, bands);
+  }
+}
+
+void Couplings::add_to_bands(const TuplePart& part, int first_row, GroupBands bands) const {
+  const TupleTerm& term = tuples_[part.tuple];
+  for (int i = 0; i < term.count; ++i) {
+    for (int j = 0; j < term.count; ++j) {
+      const LaneSlot a = groups_->slot(term.vertices[i]), b = groups_->slot(term.vertices[j]);
+      if (!part.has[i] || !part.has[j] || b.row > a.row) continue;
+      Matrix3<Pack>& block = bands.block(a.row - first_row, a.row - b.row);
+      for (int m = 0; m < 9; ++m) {
+        block.m[m][a.lane] = block.m[m][a.lane] + term.hessian[i][j](m / 3, m % 3);
       }
     }
   }
@@ -195,6 +276,8 @@ void Couplings::multiply(int group, std::span<const Vector3<double>> x,
                                              felt.column_weights[1] * x[felt.columns[1]]);
     for (int i = 0; i < 2; ++i) y[felt.rows[i] - first] += felt.row_weights[i] * force;
   }
+  for (const Block& block : of_group_[group].blocks)
+    y[block.row - first] += block * x[block.column];
 }
 
 void Couplings::add_product(int group, const VertexField& x, VertexField& y) const {
@@ -205,6 +288,9 @@ void Couplings::add_product(int group, const VertexField& x, VertexField& y) con
     for (int i = 0; i < 2; ++i) {
       y.add(coupled_[felt.rows[i]], to_eigen(felt.row_weights[i] * force));
     }
+  }
+  for (const Block& block : of_group_[group].blocks) {
+    y.add(coupled_[block.row], to_eigen(block * at(block.column)));
   }
 }
 

@@ -19,9 +19,17 @@ struct CouplingTerm {
   /// where they have weight.
   std::array<int, 4> vertices;
   std::array<double, 4> weights;  ///< 0: the vertex takes no part
-  double value;                   ///< E, J
   Eigen::Vector3d gradient;       ///< g
   Eigen::Matrix3d curvature;      ///< C, symmetric and positive semi-definite
+};
+
+/// A term E(x_0, ..., x_{n-1}) of the potential of up to four vertices of any strands.
+struct TupleTerm {
+  int count = 0;                ///< n
+  std::array<int, 4> vertices;  ///< all different
+  /// dE/dx_i, and the blocks of the Hessian, which is positive semi-definite.
+  std::array<Eigen::Vector3d, 4> gradient;
+  std::array<std::array<Eigen::Matrix3d, 4>, 4> hessian;
 };
 
 /// The terms that couple arbitrary vertices, and what they are for a linear solver: a part that
@@ -29,7 +37,8 @@ struct CouplingTerm {
 ///
 /// A term goes into the bands as a whole where all its vertices are near each other on one strand.
 /// Else the bands have what each of its two edges would feel if the other one stood still, and
-/// beyond them is what one edge feels of the other. What remains in the bands is never indefinite.
+/// beyond them is what one edge feels of the other. A tuple is treated in the same way, in as many
+/// parts as its vertices are far from each other. What remains in the bands is never indefinite.
 class Couplings {
  public:
   Couplings() = default;
@@ -38,22 +47,23 @@ class Couplings {
 
   void clear();
   void add(const CouplingTerm& term) { terms_.push_back(term); }
+  void add(const TupleTerm& term) { tuples_.push_back(term); }
   /// Appends terms that the caller writes; valid until more are added.
   std::span<CouplingTerm> append(int count);
   /// Sorts what was added; call once after the last term. What one edge feels of another one leaves
   /// pinned vertices out: free is 1 for a free vertex and 0 for a pinned one.
   void finish(const VertexScalars& free);
 
-  bool empty() const { return terms_.empty(); }
-  /// The sum of the terms, J.
-  double value() const;
+  bool empty() const { return terms_.empty() && tuples_.empty(); }
   /// Adds the gradients of the terms to the rows of a group.
   void add_gradient(int group, std::span<Vector3<Pack>> rows) const;
   /// Adds what fits there to the bands of a group.
   void add_to_bands(int group, GroupBands bands) const;
 
   /// Whether an edge of the group feels another one beyond the bands.
-  bool touches(int group) const { return !of_group_[group].felt.empty(); }
+  bool touches(int group) const {
+    return !of_group_[group].felt.empty() || !of_group_[group].blocks.empty();
+  }
   /// The vertices that are coupled beyond the bands, one group after the other.
   int coupled_count() const { return static_cast<int>(coupled_.size()); }
   /// Those of a group, in lane order, and the number of the first among all of them.
@@ -82,6 +92,9 @@ class Couplings {
           }
         }
       }
+      for (const Block& block : group.blocks) {
+        visit(coupled_[block.row], coupled_[block.column], block.matrix());
+      }
     }
   }
 
@@ -100,6 +113,25 @@ class Couplings {
     Eigen::Matrix3d full() const;
     Vector3<double> force(const Vector3<double>& u) const;
   };
+  /// Vertices of a tuple that are near each other on one strand.
+  struct TuplePart {
+    int tuple;
+    std::array<bool, 4> has;
+  };
+  /// What one vertex of a tuple feels of another one, which is of another part.
+  struct Block {
+    int row, column;  ///< among the coupled vertices
+    std::array<double, 9> entries;
+
+    Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> matrix() const {
+      return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(entries.data());
+    }
+    friend Vector3<double> operator*(const Block& block, const Vector3<double>& u) {
+      const auto& e = block.entries;
+      return {e[0] * u.x + e[1] * u.y + e[2] * u.z, e[3] * u.x + e[4] * u.y + e[5] * u.z,
+              e[6] * u.x + e[7] * u.y + e[8] * u.z};
+    }
+  };
   /// The groups of the two edges of a term; -1: none. All of it is with the first if it is whole.
   struct Split {
     bool is_whole;
@@ -108,6 +140,8 @@ class Couplings {
   struct OfGroup {
     std::vector<Part> parts;
     std::vector<Felt> felt;
+    std::vector<TuplePart> tuple_parts;
+    std::vector<Block> blocks;
     int first_coupled = 0, coupled_count = 0;
   };
 
@@ -121,6 +155,12 @@ class Couplings {
   bool is_one_part(const CouplingTerm& term) const;
   bool fit_into_band(int i, int j) const;
   void distribute();
+  void distribute(int tuple);
+  bool fits(const TupleTerm& term, const TuplePart& part, int member) const;
+  void find_blocks(int group, const VertexScalars& free);
+  bool is_free(int vertex, const VertexScalars& free) const;
+  void mark(int group, int vertex);
+  void add_to_bands(const TuplePart& part, int first_row, GroupBands bands) const;
   Split split(const CouplingTerm& term) const;
   void find_felt(int group, const VertexScalars& free);
   FreeEnd free_end(const CouplingTerm& term, int first, const VertexScalars& free) const;
@@ -128,6 +168,7 @@ class Couplings {
 
   const StrandGroups* groups_ = nullptr;
   std::vector<CouplingTerm> terms_;
+  std::vector<TupleTerm> tuples_;
   std::vector<Split> split_;  ///< of each term
   std::vector<OfGroup> of_group_;
   std::vector<int> coupled_;

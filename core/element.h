@@ -7,7 +7,7 @@
 
 #include "core/edge_derivatives.h"
 #include "core/elementary.h"
-#include "core/material.h"
+#include "core/strands.h"
 #include "core/vector3.h"
 
 namespace ringlet {
@@ -22,7 +22,16 @@ struct ElementRest {
   Stencil<double, K> positions;       ///< m
   std::array<double, K - 1> lengths;  ///< of the edges, m
   std::array<double, K> radii;        ///< of the strand at the vertices, m
-  const Material& material;
+  Material material;                  ///< in its middle
+  const Strands& strands;
+  std::array<int, K> vertices;  ///< their numbers; of an element of pads all 0
+
+  /// A parameter in the middle of the element: at its middle vertex, or between its two middle
+  /// ones.
+  double middle(const Varying& parameter) const {
+    return 0.5 *
+           (parameter.at(strands, vertices[(K - 1) / 2]) + parameter.at(strands, vertices[K / 2]));
+  }
 };
 
 /// One vector for each edge e_n = x_{n+1} - x_n of an element of K vertices.
@@ -122,23 +131,45 @@ constexpr bool is_numeric(Filter filter) {
   return filter == Filter::clamp || filter == Filter::absolute;
 }
 
-/// An energy of one element, written once for every scalar S. `Rest<S>` holds nothing but scalars
-/// S, one of them named `stiffness`, to which the energy is proportional. `rest` computes it for
-/// one element of the rest state; `value` returns the energy, J, finite for every finite position.
+/// An energy of a few vertices that depends on their differences alone, written once for every
+/// scalar S. `Rest<S>` holds nothing but scalars S, one of them named `stiffness`, to which the
+/// energy is proportional; `value` returns the energy, J, finite for every finite position.
 template <class Kernel>
-concept ElementKernel = requires(const Kernel& kernel, const Stencil<double, Kernel::vertices>& x,
-                                 const ElementRest<Kernel::vertices>& element,
-                                 const typename Kernel::template Rest<double>& rest) {
+concept ValueKernel = requires(const Kernel& kernel, const Stencil<double, Kernel::vertices>& x,
+                               const typename Kernel::template Rest<double>& rest) {
   requires Kernel::vertices >= 2 && Kernel::vertices <= band_blocks;
   { rest.stiffness } -> std::convertible_to<double>;
-  { kernel.rest(element) } -> std::same_as<typename Kernel::template Rest<double>>;
   { kernel.value(x, rest) } -> std::same_as<double>;
+};
+
+/// An energy of one element of a strand: `rest` computes the rest data of one element of the rest
+/// state.
+template <class Kernel>
+concept ElementKernel = ValueKernel<Kernel> &&
+    requires(const Kernel& kernel, const ElementRest<Kernel::vertices>& element) {
+  { kernel.rest(element) } -> std::same_as<typename Kernel::template Rest<double>>;
+};
+
+/// Of a time step, s.
+struct StepTime {
+  double end;  ///< when it ends
+  double dt;   ///< its length
+};
+
+/// A kernel whose rest data changes from step to step (a rest shape that flows, an actuation):
+/// `update` returns that of the coming step from the positions at its beginning, with stiffness >=
+/// 0, and 0 where it was 0.
+template <class Kernel>
+concept UpdatedKernel = ValueKernel<Kernel> &&
+    requires(const Kernel& kernel, const Stencil<double, Kernel::vertices>& x,
+             const typename Kernel::template Rest<double>& rest, const StepTime& time) {
+  { kernel.update(x, rest, time) } -> std::same_as<typename Kernel::template Rest<double>>;
 };
 
 /// A kernel that also gives its derivatives in closed form: returns the value, and adds gradient
 /// and Hessian as the filter asks. It is never asked for a numeric filter.
 template <class Kernel>
-concept ClosedFormKernel = ElementKernel<Kernel> &&
+concept ClosedFormKernel = ValueKernel<Kernel> &&
     requires(const Kernel& kernel, const Stencil<double, Kernel::vertices>& x,
              const typename Kernel::template Rest<double>& rest, Filter filter,
              ElementOutputs<double, Kernel::vertices> outputs) {

@@ -4,6 +4,8 @@
 #include <span>
 
 #include "core/edge_derivatives.h"
+#include "core/named.h"
+#include "core/step_start.h"
 #include "core/strands.h"
 #include "core/vertex_field.h"
 
@@ -38,12 +40,16 @@ class ElementFunction {
 
 /// One term of the elastic potential of the strands: a function of their edges alone. (What depends
 /// on where a strand is in space is a Force.)
-class Energy {
+class Energy : public Named {
  public:
   virtual ~Energy() = default;
 
   /// Computes rest data from the strands' rest shape. Called once, before add().
   virtual void bind(const Strands& strands, const StrandGroups& groups) = 0;
+
+  /// A step begins. An energy whose rest shape flows, or that is driven, changes its rest data here
+  /// and nowhere else; called once a step, before begin_step() of the forces.
+  virtual void begin_step(const StepStart& start) { (void)start; }
 
   /// Returns the energy of a group of strands at positions x, J. Adds its gradient with respect to
   /// the edges e_i = x_{i+1} - x_i, and its Hessian, made positive semi-definite by the energy's

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/error.h"
 #include "core/parallel.h"
+#include "core/registry.h"
 
 namespace ringlet {
 namespace {
@@ -53,6 +53,22 @@ std::optional<std::string> find_non_finite_term(const Model& model, const Vertex
   return std::nullopt;
 }
 
+/// Of what adds couplings: a CouplingEnergy or a CollisionStage.
+template <class Term>
+std::optional<std::string> find_non_finite_coupling(const Model& model, const VertexField& x,
+                                                    Term& term, const std::string& what) {
+  VertexField gradient(model.groups);
+  Couplings couplings(model.groups);
+  const double value = term.add(x, &couplings);
+  couplings.finish(model.free);
+  for (int g = 0; g < model.groups.count(); ++g) couplings.add_gradient(g, gradient.group(g));
+  for (int v = 0; v < model.strands.vertex_count(); ++v) {
+    if (std::isfinite(value) && gradient.get(v).allFinite()) continue;
+    return what + ", or its gradient at " + name_of(model, v) + ", is not finite";
+  }
+  return std::nullopt;
+}
+
 /// Makes the gradient zero where nothing is free; returns its squared norm.
 double pin_gradient(std::span<Vector3<Pack>> gradient, std::span<const Pack> free) {
   Pack squared = 0;
@@ -66,12 +82,14 @@ double pin_gradient(std::span<Vector3<Pack>> gradient, std::span<const Pack> fre
 }  // namespace
 
 double PotentialTerms::total() const {
-  return inertia + forces + contacts + std::accumulate(energies.begin(), energies.end(), 0.0);
+  return inertia + forces + contacts + std::accumulate(energies.begin(), energies.end(), 0.0) +
+         std::accumulate(couplings.begin(), couplings.end(), 0.0);
 }
 
 double PotentialTerms::magnitude() const {
   double sum = std::abs(inertia) + std::abs(forces) + std::abs(contacts);
   for (const double energy : energies) sum += std::abs(energy);
+  for (const double coupling : couplings) sum += std::abs(coupling);
   return sum;
 }
 
@@ -81,7 +99,8 @@ IncrementalPotential::IncrementalPotential(const Model& model, const VertexField
       target_(inertial_target),
       inverse_h2_(1 / (h * h)),
       terms_of_groups_(model.groups.count() * term_count()),
-      squared_gradients_(model.groups.count()) {}
+      squared_gradients_(model.groups.count()),
+      coupling_values_(model.couplings.size()) {}
 
 double IncrementalPotential::inertia(int group, const VertexField& x) const {
   const auto rows = x.group(group), target = target_.group(group);
@@ -94,18 +113,15 @@ double IncrementalPotential::inertia(int group, const VertexField& x) const {
 void IncrementalPotential::add_energies(int group, const VertexField& x, EdgeOutputs outputs,
                                         std::span<double> terms) const {
   for (std::size_t e = 0; e < model_.energies.size(); ++e) {
-    try {
-      terms[e + 1] = model_.energies[e]->add(group, x.group(group), outputs);
-    } catch (const std::exception& error) {
-      throw Error("energy '" + model_.energy_names[e] + "': " + error.what());
-    }
+    const Energy& energy = *model_.energies[e];
+    terms[e + 1] = naming(energy, [&] { return energy.add(group, x.group(group), outputs); });
   }
 }
 
 void IncrementalPotential::add_forces(int group, const VertexField& x, GroupOutputs outputs,
                                       std::span<double> terms) const {
   for (const auto& force : model_.forces) {
-    terms.back() += force->add(group, x.group(group), outputs);
+    terms.back() += naming(*force, [&] { return force->add(group, x.group(group), outputs); });
   }
 }
 
@@ -134,6 +150,8 @@ void IncrementalPotential::sum_terms(PotentialTerms& total) {
     for (std::size_t e = 0; e < total.energies.size(); ++e) total.energies[e] += terms[e + 1];
     total.forces += terms.back();
   }
+  total.couplings = coupling_values_;
+  total.contacts = contact_value_;
 }
 
 void IncrementalPotential::value(const VertexField& x, PotentialTerms& terms) {
@@ -144,14 +162,24 @@ void IncrementalPotential::value(const VertexField& x, PotentialTerms& terms) {
     add_energies(g, x, {}, of_group);
     add_forces(g, x, {}, of_group);
   });
+  add_coupled(x, nullptr);
   sum_terms(terms);
-  terms.contacts = model_.collision ? model_.collision->add(x, nullptr) : 0;
 }
 
-void IncrementalPotential::couple(const VertexField& x, SystemMatrix& matrix) const {
+void IncrementalPotential::couple(const VertexField& x, SystemMatrix& matrix) {
   matrix.couplings.clear();
-  model_.collision->add(x, &matrix.couplings);
+  add_coupled(x, &matrix.couplings);
   matrix.couplings.finish(model_.free);
+}
+
+void IncrementalPotential::add_coupled(const VertexField& x, Couplings* couplings) {
+  for (std::size_t i = 0; i < coupling_values_.size(); ++i) {
+    const CouplingEnergy& coupling = *model_.couplings[i];
+    coupling_values_[i] = naming(coupling, [&] { return coupling.add(x, couplings); });
+  }
+  if (!model_.collision) return;
+  CollisionStage& collision = *model_.collision;
+  contact_value_ = naming(collision, [&] { return collision.add(x, couplings); });
 }
 
 void IncrementalPotential::assemble(const VertexField& x, VertexField& gradient,
@@ -176,10 +204,9 @@ void IncrementalPotential::assemble(const VertexField& x, VertexField& gradient,
     const std::span free = std::span(model_.free).subspan(model_.groups[g].first_row, bands.rows());
     squared_gradients_[g] = pin_gradient(rows, free);
     pin_rows(bands, free);
-    solver.prepare_group({g, bands, rows, coupled}, direction.group(g));
+    naming(solver, [&] { solver.prepare_group({g, bands, rows, coupled}, direction.group(g)); });
   });
   sum_terms(result.terms);
-  result.terms.contacts = matrix.couplings.value();
   result.squared_gradient =
       std::accumulate(squared_gradients_.begin(), squared_gradients_.end(), 0.0);
 }
@@ -192,27 +219,20 @@ std::optional<std::string> find_non_finite(const Model& model, const VertexField
     const auto add = [&](int g, std::span<const Vector3<Pack>> rows, const GroupOutputs& outputs) {
       return add_at_vertices(*model.energies[e], g, rows, outputs);
     };
-    if (auto found = find_non_finite_term(model, x, add, model.energy_names[e])) return found;
+    if (auto found = find_non_finite_term(model, x, add, model.energies[e]->name())) return found;
   }
   for (std::size_t f = 0; f < model.forces.size(); ++f) {
-    const std::string name = "force number " + std::to_string(f + 1);
     const auto add = [&](int g, std::span<const Vector3<Pack>> rows, const GroupOutputs& outputs) {
       return model.forces[f]->add(g, rows, outputs);
     };
-    if (auto found = find_non_finite_term(model, x, add, name)) return found;
+    if (auto found = find_non_finite_term(model, x, add, model.forces[f]->name())) return found;
   }
-  if (model.collision) {
-    VertexField gradient(model.groups);
-    Couplings couplings(model.groups);
-    const double value = model.collision->add(x, &couplings);
-    couplings.finish(model.free);
-    for (int g = 0; g < model.groups.count(); ++g) couplings.add_gradient(g, gradient.group(g));
-    for (int v = 0; v < model.strands.vertex_count(); ++v) {
-      if (std::isfinite(value) && gradient.get(v).allFinite()) continue;
-      return "the contact energy, or its gradient at " + name_of(model, v) + ", is not finite";
-    }
+  for (const auto& coupling : model.couplings) {
+    const std::string what = "the value of '" + coupling->name() + "'";
+    if (auto found = find_non_finite_coupling(model, x, *coupling, what)) return found;
   }
-  return std::nullopt;
+  if (!model.collision) return std::nullopt;
+  return find_non_finite_coupling(model, x, *model.collision, "the contact energy");
 }
 
 }  // namespace ringlet

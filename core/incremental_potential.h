@@ -13,7 +13,8 @@ namespace ringlet {
 /// The parts of the value of an incremental potential, J.
 struct PotentialTerms {
   double inertia = 0;
-  std::vector<double> energies;  ///< of each elastic term
+  std::vector<double> energies;   ///< of each elastic term
+  std::vector<double> couplings;  ///< of each term between strands
   double forces = 0;
   double contacts = 0;
 
@@ -24,7 +25,7 @@ struct PotentialTerms {
 
 /// What a time step minimises (math.md, section 6):
 ///
-///     Phi(x) = (x - y)^T M (x - y) / (2 h^2) + sum of energies + sum of forces + contacts
+///     Phi(x) = (x - y)^T M (x - y) / (2 h^2) + energies + couplings + forces + contacts
 ///
 /// y is the inertial target, h the effective time step: for BDF-1 y = x_n + dt v_n and h = dt.
 /// Pinned vertices are not unknowns: they stand where x has them. Keeps the memory of its sums
@@ -36,23 +37,24 @@ class IncrementalPotential {
 
   void value(const VertexField& x, PotentialTerms& terms);
 
-  /// Collects the contacts at x, as the collision stage has detected them, in the matrix. Before
-  /// assemble(), where there is a collision stage.
-  void couple(const VertexField& x, SystemMatrix& matrix) const;
+  /// Collects the couplings at x, and the contacts that the collision stage has detected, in the
+  /// matrix. Before assemble(), where the model may couple.
+  void couple(const VertexField& x, SystemMatrix& matrix);
   /// What assemble() computes, beside what it writes.
   struct Assembled {
     PotentialTerms terms;
     double squared_gradient = 0;  ///< |grad Phi|^2, N^2
   };
-  /// Value, gradient and filtered Hessian A plus `added` M, with the matrix's contacts; gradient is
-  /// zero and the matrix identity at pinned vertices. Each group's bands are handed to the solver's
-  /// prepare_group() when complete, which may already solve A x = gradient into the direction.
+  /// Value, gradient and filtered Hessian A plus `added` M, with the matrix's couplings; gradient
+  /// is zero and the matrix identity at pinned vertices. Each group's bands are handed to the
+  /// solver's prepare_group() when complete, which may already solve A x = gradient into the
+  /// direction.
   void assemble(const VertexField& x, VertexField& gradient, SystemMatrix& matrix,
                 LinearSolver& solver, VertexField& direction, Assembled& result, double added = 0);
 
  private:
   double inertia(int group, const VertexField& x) const;
-  /// Of one group, the terms in the order of PotentialTerms, without the contacts.
+  /// Of one group: inertia, the energies, and the sum of the forces.
   void add_energies(int group, const VertexField& x, EdgeOutputs outputs,
                     std::span<double> terms) const;
   void add_forces(int group, const VertexField& x, GroupOutputs outputs,
@@ -66,12 +68,16 @@ class IncrementalPotential {
     return std::span(terms_of_groups_).subspan(group * term_count(), term_count());
   }
   void sum_terms(PotentialTerms& total);
+  /// Values of couplings and contacts; what they add goes where it is wanted.
+  void add_coupled(const VertexField& x, Couplings* couplings);
 
   const Model& model_;
   const VertexField& target_;
   double inverse_h2_;
   std::vector<double> terms_of_groups_;  // term_count() of each
   std::vector<double> squared_gradients_;
+  std::vector<double> coupling_values_;  ///< of each coupling, where they were last added
+  double contact_value_ = 0;
 };
 
 /// Says in words where something is not finite: the first vertex whose position is not, or the

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "core/model.h"
+#include "core/named.h"
 #include "core/state.h"
 #include "core/step_report.h"
 
 namespace ringlet {
 
 /// Advances a state by one time step.
-class Integrator {
+class Integrator : public Named {
  public:
   virtual ~Integrator() = default;
   /// The time step, s.

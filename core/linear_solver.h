@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/named.h"
 #include "core/system_matrix.h"
 
 namespace ringlet {
@@ -33,7 +34,7 @@ class BandFactor {
 
 /// Solves A x = b for the symmetric matrix of a Newton step. A solver can be the preconditioner of
 /// another one. Usage a Newton iteration: prepare_group() for every group, prepare(), solve()...
-class LinearSolver {
+class LinearSolver : public Named {
  public:
   virtual ~LinearSolver() = default;
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/collision_stage.h"
+#include "core/coupling_energy.h"
 #include "core/energy.h"
 #include "core/force.h"
 #include "core/linear_solver.h"
@@ -24,8 +25,8 @@ struct Model {
   const Strands strands;
   const StrandGroups groups;
   Motions motions;
-  std::vector<std::string> energy_names;  ///< type of each energy, for reports
   std::vector<std::unique_ptr<Energy>> energies;
+  std::vector<std::unique_ptr<CouplingEnergy>> couplings;
   std::vector<std::unique_ptr<Force>> forces;
   std::unique_ptr<CollisionStage> collision;  ///< null: the scene has no collision
   std::unique_ptr<LinearSolver> solver;
@@ -33,6 +34,15 @@ struct Model {
   VertexField pinned_from;  ///< positions of the pins at time 0
   VertexScalars free;       ///< 1: free; 0: pinned, or a pad
   VertexScalars mass;       ///< kg; 1 on pads
+
+  /// Whether anything may couple strands.
+  bool may_couple() const { return collision != nullptr || !couplings.empty(); }
 };
+
+/// The names of the elastic terms, as StepReport::energies has them: energies, then couplings.
+std::vector<std::string> energy_names(const Model& model);
+
+/// Tells energies, couplings and forces, in this order, that a step of length dt, s, begins.
+void begin_step(Model& model, const State& state, double dt);
 
 }  // namespace ringlet

@@ -1,6 +1,6 @@
 #include "core/motion.h"
 
-#include "core/error.h"
+#include "core/registry.h"
 
 namespace ringlet {
 
@@ -13,7 +13,9 @@ Eigen::Isometry3d Motions::at(const std::string& name, double time) const {
   if (name.empty()) return placement;
   const auto found = parts_.find(name);
   if (found == parts_.end()) throw Error("there is no motion named '" + name + "'");
-  for (const auto& part : found->second) placement = part->at(time) * placement;
+  for (const auto& part : found->second) {
+    placement = naming(*part, [&] { return part->at(time); }) * placement;
+  }
   return placement;
 }
 

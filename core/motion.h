@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "core/named.h"
+
 namespace ringlet {
 
 /// A prescribed rigid motion: the placement at time t of what is at rest at time 0.
-class Motion {
+class Motion : public Named {
  public:
   virtual ~Motion() = default;
   virtual Eigen::Isometry3d at(double time) const = 0;

@@ -3,12 +3,13 @@
 #include <filesystem>
 
 #include "core/model.h"
+#include "core/named.h"
 #include "core/step_report.h"
 
 namespace ringlet {
 
 /// Sees every new state. Writers of files are observers.
-class Observer {
+class Observer : public Named {
  public:
   virtual ~Observer() = default;
   /// Before the first step, step 0. Writes, if at all, below the run folder. Throws Error if it

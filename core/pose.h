@@ -3,12 +3,13 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/named.h"
 #include "core/strands.h"
 
 namespace ringlet {
 
 /// Deforms the strands' rest shape into the shape they start from.
-class Pose {
+class Pose : public Named {
  public:
   virtual ~Pose() = default;
   /// positions: of all vertices, m. pinned_counts: of each strand, vertices from the root that must

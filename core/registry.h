@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/named.h"
 #include "core/parameters.h"
 #include "core/suggest.h"
 
@@ -17,6 +18,7 @@ class RootSource;
 class Pose;
 class Motion;
 class Energy;
+class CouplingEnergy;
 class Force;
 class LinearSolver;
 class Integrator;
@@ -26,9 +28,7 @@ class ContactEnergy;
 class Collider;
 class Observer;
 
-/// What kind of plugin an interface is, in words of the scene.
-template <class Interface>
-struct Kind;
+// What kind of plugin an interface is, in words of the scene.
 template <>
 struct Kind<StrandSource> {
   static constexpr const char* name = "strand source";
@@ -52,6 +52,10 @@ struct Kind<Motion> {
 template <>
 struct Kind<Energy> {
   static constexpr const char* name = "energy";
+};
+template <>
+struct Kind<CouplingEnergy> {
+  static constexpr const char* name = "coupling";
 };
 template <>
 struct Kind<Force> {
@@ -100,7 +104,11 @@ class Choice {
   const std::string& type() const { return type_; }
   /// With every default written out.
   const Json& resolved() const { return resolved_; }
-  std::unique_ptr<Interface> make() const { return make_(); }
+  std::unique_ptr<Interface> make() const {
+    auto made = naming<Interface>(type_, make_);
+    made->set_name(type_);
+    return made;
+  }
 
  private:
   std::string type_;
@@ -206,10 +214,10 @@ class Registry {
   }
 
   std::tuple<Catalogue<StrandSource>, Catalogue<StrandReader>, Catalogue<RootSource>,
-             Catalogue<Pose>, Catalogue<Motion>, Catalogue<Energy>, Catalogue<Force>,
-             Catalogue<LinearSolver>, Catalogue<Integrator>, Catalogue<CollisionStage>,
-             Catalogue<ContactDetector>, Catalogue<ContactEnergy>, Catalogue<Collider>,
-             Catalogue<Observer>>
+             Catalogue<Pose>, Catalogue<Motion>, Catalogue<Energy>, Catalogue<CouplingEnergy>,
+             Catalogue<Force>, Catalogue<LinearSolver>, Catalogue<Integrator>,
+             Catalogue<CollisionStage>, Catalogue<ContactDetector>, Catalogue<ContactEnergy>,
+             Catalogue<Collider>, Catalogue<Observer>>
       catalogues_;
   std::vector<std::string> libraries_;
 };

@@ -55,36 +55,6 @@ struct Codec<std::vector<Choice<StrandSource>>> {
   }
 };
 
-/// Declared here because every scene has exactly one material.
-template <>
-struct Codec<Material> {
-  static std::string type() { return "object"; }
-  static Schema<Material> schema() {
-    return Schema<Material>()
-        .key("youngs_modulus", &Material::youngs_modulus, "Pa", at_least(0), "Young's modulus E")
-        .key("shear_modulus", &Material::shear_modulus, "Pa", at_least(0),
-             "shear modulus G; E / 2(1 + poisson_ratio) if absent")
-        .key("poisson_ratio", &Material::poisson_ratio, "", between(-1, 0.5),
-             "only used where shear_modulus is absent")
-        .key("density", &Material::density, "kg/m^3", positive(), "mass per volume")
-        .key("radius", &Material::radius, "m", positive(), "of the cross-section, at the root")
-        .key("tip_radius", &Material::tip_radius, "m", positive(),
-             "of the cross-section at the tip; that of the root if absent")
-        .check([](Material& material, const std::string&, ParseContext&) {
-          material.shear_modulus = material.shear();
-          material.tip_radius = material.tip_radius.value_or(material.radius);
-        });
-  }
-  static void read(const Json& json, const std::string& pointer, const KeyInfo&,
-                   ParseContext& context, Material& out) {
-    schema().read(json, pointer, context, out);
-  }
-  static Json write(const Material& material) { return schema().write(material); }
-  static void complete(const std::string& pointer, ParseContext& context, Material& out) {
-    schema().read(Json::object(), pointer, context, out);
-  }
-};
-
 Schema<RunParameters> RunParameters::schema() {
   return Schema<RunParameters>()
       .key("steps", &RunParameters::steps, "", at_least(0), "number of time steps")
@@ -116,6 +86,8 @@ Schema<Scene> Scene::schema() {
       .key("start", &Scene::start, "", any_number(),
            "deformations, applied in order, that lead from the rest shape to the starting shape")
       .key("energies", &Scene::energies, "", any_number(), "the terms of the elastic potential")
+      .key("couplings", &Scene::couplings, "", any_number(),
+           "terms of the potential between vertices of any strands: glue, springs")
       .key("forces", &Scene::forces, "", any_number(), "gravity, drag, damping")
       .key("collision", &Scene::collision, "", any_number(), "finds contacts and resists them")
       .key("solver", &Scene::solver, "", any_number(), "of the linear system of a Newton step")
@@ -155,6 +127,7 @@ namespace {
 void check_expectations(const Scene& scene, ParseContext& context) {
   std::vector<std::string> energies, known;
   for (const auto& energy : scene.energies) energies.push_back(energy.type());
+  for (const auto& coupling : scene.couplings) energies.push_back(coupling.type());
   for (const Metric& metric : list_metrics(energies)) known.push_back(metric.name);
   for (std::size_t i = 0; i < scene.expect.size(); ++i) {
     const Expectation& expectation = scene.expect[i];

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/material.h"
+#include "core/material_field.h"
 #include "core/registry.h"
 
 namespace ringlet {
@@ -36,9 +36,10 @@ struct Scene {
   std::vector<std::string> plugins;
   NamedMotions motions;
   std::vector<Choice<StrandSource>> strands;
-  Material material;
+  MaterialField material;
   std::vector<Choice<Pose>> start;
   std::vector<Choice<Energy>> energies{"stretch", "bending", "twist"};
+  std::vector<Choice<CouplingEnergy>> couplings;
   std::vector<Choice<Force>> forces;
   std::optional<Choice<CollisionStage>> collision;
   Choice<LinearSolver> solver{"auto"};

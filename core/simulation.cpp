@@ -15,7 +15,8 @@ StrandSet generate_all(const std::vector<Choice<StrandSource>>& sources) {
     to.insert(to.end(), from.begin(), from.end());
   };
   for (const auto& source : sources) {
-    const StrandSet set = source.make()->generate();
+    const auto made = source.make();
+    const StrandSet set = naming(*made, [&] { return made->generate(); });
     append(all.vertex_counts, set.vertex_counts);
     append(all.positions, set.positions);
     append(all.pinned_counts, set.pinned_counts);
@@ -63,7 +64,8 @@ std::vector<std::unique_ptr<Interface>> make_terms(const std::vector<Choice<Inte
   std::vector<std::unique_ptr<Interface>> terms;
   for (const auto& choice : choices) {
     terms.push_back(choice.make());
-    terms.back()->bind(model.strands, model.groups);
+    Interface& term = *terms.back();
+    naming(term, [&] { term.bind(model.strands, model.groups); });
   }
   return terms;
 }
@@ -79,31 +81,34 @@ Simulation::Simulation(const Scene& scene) {
     for (const auto& part : parts) made.push_back(part.make());
     model.motions.add(name, std::move(made));
   }
-  for (const auto& pose : scene.start) {
-    pose.make()->apply(model.strands, set.pinned_counts, set.positions);
+  for (const auto& choice : scene.start) {
+    const auto pose = choice.make();
+    naming(*pose, [&] { pose->apply(model.strands, set.pinned_counts, set.positions); });
   }
 
   std::vector<Pin> collider_pins;
   if (scene.collision) {
     model.collision = scene.collision->make();
-    model.collision->bind(model.strands, model.groups, model.motions);
-    collider_pins = model.collision->pins(set.positions);
+    collider_pins = naming(*model.collision, [&] {
+      model.collision->bind(model.strands, model.groups, model.motions);
+      return model.collision->pins(set.positions);
+    });
   }
   model.pins = collect_pins(model.strands, set, collider_pins);
   mark_free_and_mass(model);
   if (model.collision) model.collision->set_free(model.free);
 
   model.energies = make_terms(scene.energies, model);
-  for (const auto& energy : scene.energies) model.energy_names.push_back(energy.type());
+  model.couplings = make_terms(scene.couplings, model);
   model.forces = make_terms(scene.forces, model);
   model.solver = scene.solver.make();
-  model.solver->bind(model.groups);
+  naming(*model.solver, [&] { model.solver->bind(model.groups); });
 
   state_.positions = positions_with_pads(model.groups, set.positions);
   state_.velocities = VertexField(model.groups);
   model.pinned_from = state_.positions;
   integrator_ = scene.integrator.make();
-  integrator_->bind(model);
+  naming(*integrator_, [&] { integrator_->bind(model); });
 }
 
 void Simulation::set_state(const State& state) {
@@ -113,7 +118,12 @@ void Simulation::set_state(const State& state) {
 }
 
 StepReport Simulation::step() {
-  StepReport report = integrator_->step(*model_, state_);
+  StepReport report;
+  try {
+    report = naming(*integrator_, [&] { return integrator_->step(*model_, state_); });
+  } catch (const PluginError& error) {
+    report.failure = error.what();
+  }
   if (report.failure.empty()) ++steps_done_;
   return report;
 }

@@ -11,7 +11,7 @@ namespace ringlet {
 /// Seconds spent in each stage of a step.
 struct StageSeconds {
   double detect = 0;       ///< candidates for contacts are collected
-  double couple = 0;       ///< contacts are measured and sorted for the matrix
+  double couple = 0;       ///< contacts and couplings are measured and sorted for the matrix
   double evaluate = 0;     ///< energies and forces, and factors of strands
   double solve = 0;        ///< the linear solver
   double line_search = 0;  ///< values of the potential
@@ -26,7 +26,7 @@ struct StepReport {
   bool linear_converged = true;  ///< of all solves of the step
   double linear_residual = 0;    ///< worst of the step, as the solver reports it
   int line_search_halvings = 0;
-  std::vector<double> energies;  ///< of each elastic term at the end of the step, J
+  std::vector<double> energies;  ///< of each elastic term, couplings last, at the end, J
   double kinetic_energy = 0;     ///< J
   ContactReport contacts;
   StageSeconds seconds;

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/named.h"
+
 namespace ringlet {
 
 /// Polylines as a file holds them, in the file's own unit. A strand may have a single vertex, or
@@ -16,7 +18,7 @@ struct Polylines {
 /// Reads the strands of a file format. A reader is registered under the extension of its files
 /// without the dot. It treats a file as hostile: counts are checked against the size of the file
 /// before anything is allocated for them.
-class StrandReader {
+class StrandReader : public Named {
  public:
   virtual ~StrandReader() = default;
   /// Throws Error with file, place, and what was expected there.

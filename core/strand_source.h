@@ -2,12 +2,13 @@
 
 #include <vector>
 
+#include "core/named.h"
 #include "core/strands.h"
 
 namespace ringlet {
 
 /// Makes strands in their rest shape.
-class StrandSource {
+class StrandSource : public Named {
  public:
   virtual ~StrandSource() = default;
   /// Throws Error with the reason if it cannot (a file that is not what it should be).
@@ -21,7 +22,7 @@ struct Root {
 };
 
 /// Places the roots of generated strands.
-class RootSource {
+class RootSource : public Named {
  public:
   virtual ~RootSource() = default;
   virtual std::vector<Root> place(int count, unsigned seed) const = 0;

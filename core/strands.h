@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/material.h"
+#include "core/material_field.h"
 
 namespace ringlet {
 
@@ -20,9 +20,10 @@ struct StrandSet {
 /// strand after strand from root to tip; edge v joins the vertices v and v + 1 of one strand.
 class Strands {
  public:
-  /// Throws Error if a strand has fewer than two vertices or a position is not finite.
+  /// Throws Error if a strand has fewer than two vertices, a position is not finite, or the
+  /// material has not one number for each strand or vertex where it should.
   Strands(std::vector<int> vertex_counts, std::vector<Eigen::Vector3d> rest_positions,
-          const Material& material);
+          const MaterialField& material);
 
   int count() const { return static_cast<int>(first_.size()) - 1; }
   int vertex_count() const { return first_.back(); }
@@ -32,7 +33,7 @@ class Strands {
   int size(int strand) const { return first_[strand + 1] - first_[strand]; }
   int strand_of(int vertex) const { return strand_of_[vertex]; }
 
-  const Material& material() const { return material_; }
+  const MaterialField& material() const { return material_; }
   const Eigen::Vector3d& rest_position(int vertex) const { return rest_positions_[vertex]; }
   /// Rest length of the edge from this vertex to the next on its strand, m; 0 at a tip.
   double rest_length(int vertex) const { return rest_lengths_[vertex]; }
@@ -41,18 +42,20 @@ class Strands {
   double radius(int vertex) const { return radii_[vertex]; }  ///< m
   double mass(int vertex) const { return masses_[vertex]; }   ///< lumped, kg
   /// Rest length of a whole strand, m.
-  double strand_length(int strand) const;
+  double strand_length(int strand) const { return root_distances_[first_[strand + 1] - 1]; }
+  /// How far a vertex is from the root of its strand at rest: 0 at the root, 1 at the tip.
+  double fraction_along(int vertex) const;
 
  private:
   void measure_lengths();
-  void taper_radii();
-  void lump_masses();
+  void measure_cross_sections();
 
-  Material material_;
+  MaterialField material_;
   std::vector<int> first_;
   std::vector<int> strand_of_;
   std::vector<Eigen::Vector3d> rest_positions_;
   std::vector<double> rest_lengths_;
+  std::vector<double> root_distances_;  ///< along the strand
   std::vector<double> radii_;
   std::vector<double> masses_;
 };

@@ -47,11 +47,14 @@ class Bdf1 final : public Integrator {
     predict(state);
     carry_strands_with_pins(model, state.time, time_end, positions_);
 
-    for (const auto& force : model.forces) force->begin_step({state, dt_, model.energies});
+    begin_step(model, state, dt_);
     if (model.collision) {
       const StageTimer timer(report.seconds.detect);
-      model.collision->begin_step(state.positions, time_end, dt_);
-      if (!find_reachable_guess(model, state, time_end)) {
+      const bool reachable = naming(*model.collision, [&] {
+        model.collision->begin_step(state.positions, time_end, dt_);
+        return find_reachable_guess(model, state, time_end);
+      });
+      if (!reachable) {
         report.failure =
             "as pins and colliders move in this step, strands pass through each other or vertices "
             "through a collider, which the contact barrier forbids; a smaller dt may help";

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/registry.h"
 
 namespace ringlet {
 namespace {
@@ -59,20 +60,24 @@ void Newton::minimise(Model& model, IncrementalPotential& potential, double dt, 
     }
   }
   report.energies = assembled_.terms.energies;
+  const auto& couplings = assembled_.terms.couplings;
+  report.energies.insert(report.energies.end(), couplings.begin(), couplings.end());
   if (model.collision) {
     const StageTimer timer(report.seconds.detect);
-    model.collision->end_step(x);
-    report.contacts = model.collision->report();
+    naming(*model.collision, [&] {
+      model.collision->end_step(x);
+      report.contacts = model.collision->report();
+    });
   }
 }
 
 void Newton::assemble(Model& model, IncrementalPotential& potential, const VertexField& x,
                       StepReport& report) {
   if (model.collision) {
-    {
-      const StageTimer timer(report.seconds.detect);
-      model.collision->detect(x);
-    }
+    const StageTimer timer(report.seconds.detect);
+    naming(*model.collision, [&] { model.collision->detect(x); });
+  }
+  if (model.may_couple()) {
     const StageTimer timer(report.seconds.couple);
     potential.couple(x, *matrix_);
   }
@@ -131,8 +136,13 @@ bool Newton::find_direction(Model& model, IncrementalPotential& potential, const
 /// d = A^-1 grad Phi; false if that is no direction of descent.
 bool Newton::solve(LinearSolver& solver, StepReport& report) {
   const StageTimer timer(report.seconds.solve);
-  if (!solver.prepare(*matrix_)) return false;
-  const SolveReport solved = solver.solve(gradient_, direction_);
+  SolveReport solved;
+  const bool can_be_used = naming(solver, [&] {
+    if (!solver.prepare(*matrix_)) return false;
+    solved = solver.solve(gradient_, direction_);
+    return true;
+  });
+  if (!can_be_used) return false;
   report.linear_iterations += solved.iterations;
   report.linear_converged &= solved.converged;
   report.linear_residual = std::max(report.linear_residual, solved.residual);
@@ -159,7 +169,8 @@ void Newton::measure_direction() {
 
 double Newton::longest_step(Model& model, const VertexField& x, StepReport& report) {
   const StageTimer timer(report.seconds.detect);
-  return model.collision ? model.collision->step_limit(x, direction_) : 1;
+  if (!model.collision) return 1;
+  return naming(*model.collision, [&] { return model.collision->step_limit(x, direction_); });
 }
 
 /// Moves x as far along the direction as the potential falls. False: it does not fall; x is
@@ -174,7 +185,7 @@ bool Newton::search_line(Model& model, IncrementalPotential& potential, VertexFi
     });
     // The whole step is nearly always good. Where another iteration follows at the same contacts
     // it is tried with all derivatives at once: its value costs nothing then.
-    const bool goes_on = !report.newton_converged && !model.collision &&
+    const bool goes_on = !report.newton_converged && !model.may_couple() &&
                          report.newton_iterations < parameters_.newton_iterations;
     if (halvings == 0 && goes_on) {
       if (try_next_iteration(model, potential, x, report)) return true;

@@ -65,7 +65,8 @@ class FileSource final : public StrandSource {
   explicit FileSource(const StrandFile& file) : file_(file) {}
 
   StrandSet generate() const override {
-    Polylines polylines = file_.format->make()->read(file_.path.absolute);
+    const auto reader = file_.format->make();
+    Polylines polylines = naming(*reader, [&] { return reader->read(file_.path.absolute); });
     const std::string name = file_.path.absolute.string();
     if (polylines.positions.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
       throw Error("'" + name + "' has more than 2^31 - 1 vertices");

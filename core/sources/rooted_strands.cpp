@@ -44,7 +44,8 @@ Schema<RootedStrands> RootedStrands::schema() {
 StrandSet grow_strands(const RootedStrands& strands, std::span<const Eigen::Vector3d> shape,
                        Turn turn) {
   const auto seed = static_cast<unsigned>(strands.seed);
-  const auto roots = strands.roots.make()->place(strands.count, seed);
+  const auto source = strands.roots.make();
+  const auto roots = naming(*source, [&] { return source->place(strands.count, seed); });
   Random random(seed, turn_stream);
   StrandSet set;
   set.vertex_counts.assign(roots.size(), static_cast<int>(shape.size()));

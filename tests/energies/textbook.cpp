@@ -154,10 +154,9 @@ Eigen::VectorXd Textbook::gradient(const Points& x) const {
 }
 
 std::unique_ptr<Energy> make_twin(const std::string& name, const std::string& filter) {
-  BatchOptions options;
-  options.filter = filter == "exact" ? Filter::exact : Filter::tight;
+  const Filter chosen = filter == "exact" ? Filter::exact : Filter::tight;
   const auto make = [&](auto kernel) -> std::unique_ptr<Energy> {
-    return std::make_unique<BatchEnergy<decltype(kernel)>>(kernel, options);
+    return std::make_unique<BatchEnergy<decltype(kernel)>>(kernel, chosen, Evaluation::lanes);
   };
   if (name == "stretch") return make(StretchTwin{});
   if (name == "bending") return make(BendingTwin<AngleMeasure>{});

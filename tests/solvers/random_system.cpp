@@ -1,6 +1,7 @@
 #include "tests/solvers/random_system.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <array>
 
 #include "core/parallel.h"
@@ -76,6 +77,7 @@ RandomSystem::RandomSystem(const std::vector<int>& vertex_counts, int contacts, 
   add_neighbours(random);
   dense_bands = dense;
   for (int contact = 0; contact < contacts; ++contact) add_contact(random);
+  for (int tuple = 0; tuple < contacts / 2; ++tuple) add_tuple(random);
   matrix.couplings.finish(free);
   for (int g = 0; g < groups.count(); ++g) matrix.couplings.add_to_bands(g, matrix.bands.group(g));
   pin();
@@ -121,7 +123,7 @@ void RandomSystem::add_contact(Random& random) {
   const std::array<double, 4> weights{normal(random), normal(random), normal(random),
                                       normal(random)};
   const Eigen::Matrix3d curvature = 20 * random_term(random, 3, 1);
-  matrix.couplings.add({vertices, weights, 0, Eigen::Vector3d::Zero(), curvature});
+  matrix.couplings.add(CouplingTerm{vertices, weights, Eigen::Vector3d::Zero(), curvature});
 
   Eigen::MatrixXd term(12, 12), in_bands = Eigen::MatrixXd::Zero(12, 12);
   for (int a = 0; a < 4; ++a) {
@@ -139,6 +141,45 @@ void RandomSystem::add_contact(Random& random) {
   }
   add_dense(dense, vertices, term);
   add_dense(dense_bands, vertices, in_bands);
+}
+
+void RandomSystem::add_tuple(Random& random) {
+  std::uniform_int_distribution<int> any_vertex(0, strands.vertex_count() - 1), any_count(2, 4);
+  TupleTerm tuple{any_count(random), {}, {}, {}};
+  for (int i = 0; i < tuple.count; ++i) {
+    const auto known = [&] {
+      return std::count(tuple.vertices.begin(), tuple.vertices.begin() + i, tuple.vertices[i]) > 0;
+    };
+    // Half of them near each other, so that parts of all sizes occur.
+    do {
+      tuple.vertices[i] = i > 0 && random() % 2 == 0
+                              ? std::min(tuple.vertices[0] + static_cast<int>(random() % 5),
+                                         strands.vertex_count() - 1)
+                              : any_vertex(random);
+    } while (known());
+  }
+  const Eigen::MatrixXd term = 5 * random_term(random, 3 * tuple.count, 4);
+  const auto are_near = [&](int i, int j) {
+    return strands.strand_of(tuple.vertices[i]) == strands.strand_of(tuple.vertices[j]) &&
+           std::abs(tuple.vertices[i] - tuple.vertices[j]) <= 3;
+  };
+  std::array<int, 4> part{0, 1, 2, 3};
+  for (int i = 0; i < tuple.count; ++i) {
+    for (int p = 0; p < i && part[i] == i; ++p) {
+      bool near_all = part[p] == p;
+      for (int j = p; j < i; ++j) near_all = near_all && (part[j] != p || are_near(i, j));
+      if (near_all) part[i] = p;
+    }
+  }
+  for (int i = 0; i < tuple.count; ++i) {
+    for (int j = 0; j < tuple.count; ++j) {
+      tuple.hessian[i][j] = term.block<3, 3>(3 * i, 3 * j);
+      const int row = 3 * tuple.vertices[i], column = 3 * tuple.vertices[j];
+      dense.block<3, 3>(row, column) += tuple.hessian[i][j];
+      if (part[i] == part[j]) dense_bands.block<3, 3>(row, column) += tuple.hessian[i][j];
+    }
+  }
+  matrix.couplings.add(tuple);
 }
 
 void RandomSystem::pin() {

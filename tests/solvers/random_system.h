@@ -16,8 +16,8 @@ Strands straight_strands(const std::vector<int>& vertex_counts);
 
 /// A symmetric positive definite matrix made as a Newton step makes it, and the same matrix dense
 /// (unknown 3 vertex + coordinate), summed from the same terms by other means: masses, positive
-/// semi-definite terms over four neighbours, contacts of any two edges, and the root of every
-/// second strand pinned.
+/// semi-definite terms over four neighbours, contacts of any two edges, half as many tuples
+/// of any vertices, and the root of every second strand pinned.
 struct RandomSystem {
   RandomSystem(const std::vector<int>& vertex_counts, int contacts, unsigned seed);
 
@@ -38,6 +38,7 @@ struct RandomSystem {
   void add_masses();
   void add_neighbours(std::mt19937& random);
   void add_contact(std::mt19937& random);
+  void add_tuple(std::mt19937& random);
   void pin();
 };
 

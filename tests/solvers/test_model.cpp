@@ -85,12 +85,13 @@ std::unique_ptr<Model> make_model(const std::vector<int>& vertex_counts, bool pi
 
 void add_energy(Model& model, std::unique_ptr<Energy> energy) {
   energy->bind(model.strands, model.groups);
-  model.energy_names.push_back("energy " + std::to_string(model.energies.size()));
+  energy->set_name("energy " + std::to_string(model.energies.size()));
   model.energies.push_back(std::move(energy));
 }
 
 void add_force(Model& model, std::unique_ptr<Force> force) {
   force->bind(model.strands, model.groups);
+  force->set_name("force " + std::to_string(model.forces.size()));
   model.forces.push_back(std::move(force));
 }
 

@@ -132,7 +132,7 @@ TEST_CASE("a value that is not finite is never accepted") {
   State unguarded = rest_state(*model);
   const StepReport failed =
       minimise(*model, {.newton_iterations = 20, .line_search = false}, unguarded, long_step);
-  CHECK_THAT(failed.failure, Catch::Contains("force number 1"));
+  CHECK_THAT(failed.failure, Catch::Contains("force 0"));
 }
 
 TEST_CASE("a failure says what and where") {
@@ -145,7 +145,7 @@ TEST_CASE("a failure says what and where") {
   State state = rest_state(*model);
   const StepReport report = minimise(*model, {}, state, 0.01);
   CHECK_THAT(report.failure, Catch::Contains("Newton iteration 1") &&
-                                 Catch::Contains("'force number 1'") &&
+                                 Catch::Contains("'force 0'") &&
                                  Catch::Contains("strand 1, vertex 3"));
   CHECK_FALSE(report.newton_converged);
 }
@@ -188,6 +188,6 @@ TEST_CASE("an exception of an energy is told with the name of the energy") {
   const auto model = make_model({4, 7}, true);
   add_energy(*model, std::make_unique<Failing>());
   State state = rest_state(*model);
-  const std::string expected = "energy '" + model->energy_names[0] + "': out of luck";
+  const std::string expected = "energy '" + model->energies[0]->name() + "': out of luck";
   CHECK_THROWS_WITH(minimise(*model, {}, state, 0.01), expected);
 }

@@ -47,7 +47,7 @@ double tension(const Simulation& simulation, int edge) {
   const Strands& strands = simulation.model().strands;
   const VertexField& x = simulation.state().positions;
   const double strain = (x.get(edge + 1) - x.get(edge)).norm() / strands.rest_length(edge) - 1;
-  return strands.material().youngs_modulus * std::numbers::pi * 1e-8 * strain;
+  return strands.material().youngs_modulus.at(strands, 0) * std::numbers::pi * 1e-8 * strain;
 }
 
 }  // namespace
