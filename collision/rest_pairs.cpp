@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "collision/segment_distance.h"
+#include "core/registry.h"
 
 namespace ringlet {
 namespace {
@@ -16,7 +17,7 @@ RestPairs::RestPairs(const Strands& strands, ContactDetector& detector, double t
                      double slack) {
   std::vector<Eigen::Vector3d> rest(strands.vertex_count());
   for (int v = 0; v < strands.vertex_count(); ++v) rest[v] = strands.rest_position(v);
-  detector.find(rest, thickness, pairs_);
+  naming(detector, [&] { detector.find(rest, thickness, pairs_); });
   const auto at = [&](int v) { return from_eigen(rest[v]); };
   for (const auto [a, b] : pairs_) {
     const double distance =

@@ -22,7 +22,7 @@ StrandContacts::StrandContacts(const Strands& strands, std::unique_ptr<ContactDe
       response_(response),
       rule_(strands, parameters.arc_distance),
       detector_(std::move(detector)) {
-  detector_->bind(strands);
+  naming(*detector_, [&] { detector_->bind(strands); });
   if (parameters.rest_slack) {
     rest_pairs_.emplace(strands, *detector_, parameters.thickness, *parameters.rest_slack);
   }

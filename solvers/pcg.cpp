@@ -39,7 +39,7 @@ class Pcg final : public LinearSolver {
   }
 
   void bind(const StrandGroups& groups) override {
-    if (preconditioner_) preconditioner_->bind(groups);
+    if (preconditioner_) naming(*preconditioner_, [&] { preconditioner_->bind(groups); });
     coupled_.bind(groups);
     if (band_factor() != nullptr) return;
     sum_ = GroupSum(groups);
@@ -52,12 +52,14 @@ class Pcg final : public LinearSolver {
   }
 
   void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) override {
-    if (preconditioner_) preconditioner_->prepare_group(system, x);
+    if (!preconditioner_) return;
+    naming(*preconditioner_, [&] { preconditioner_->prepare_group(system, x); });
   }
 
   bool prepare(const SystemMatrix& a) override {
     matrix_ = &a;
-    return !preconditioner_ || preconditioner_->prepare(a);
+    if (!preconditioner_) return true;
+    return naming(*preconditioner_, [&] { return preconditioner_->prepare(a); });
   }
 
   /// Where the matrix or the preconditioner turns out not to be positive definite, the last iterate
@@ -107,7 +109,8 @@ class Pcg final : public LinearSolver {
 
   /// z = P^-1 r.
   void precondition() {
-    if (preconditioner_) preconditioner_->apply(residual_, preconditioned_);
+    if (!preconditioner_) return;
+    naming(*preconditioner_, [&] { preconditioner_->apply(residual_, preconditioned_); });
   }
   const VertexField& preconditioned() const {
     return preconditioner_ ? preconditioned_ : residual_;
