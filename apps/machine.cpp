@@ -5,6 +5,8 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <fstream>
+#include <string>
 
 #include "apps/build_info.h"
 
@@ -18,6 +20,17 @@ std::size_t thread_count() {
   return std::min<std::size_t>(limit, tbb::this_task_arena::max_concurrency());
 }
 
+/// As Linux calls it; "" elsewhere.
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  const std::string key = "model name";
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with(key) && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "";
+}
+
 }  // namespace
 
 std::int64_t peak_memory_bytes() {
@@ -27,7 +40,8 @@ std::int64_t peak_memory_bytes() {
 }
 
 Json describe_machine() {
-  return {{"threads", thread_count()},
+  return {{"processor", processor_name()},
+          {"threads", thread_count()},
           {"version", build_info::version},
           {"compiler", build_info::compiler},
           {"build_type", build_info::build_type}};

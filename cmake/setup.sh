@@ -1,10 +1,13 @@
-# Sourced by apps/run.sh and tests/run.sh: ringlet_setup installs what is missing and configures
-# build/release, both only where needed.
+# Sourced by apps/run.sh and tests/run.sh: `ringlet_setup` installs what is missing and configures
+# build/release, both only where needed; `ringlet_setup page` also installs what reports need.
 
 ringlet_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 ringlet_build="$ringlet_root/build/release"
 ringlet_packages=(g++ cmake ninja-build libeigen3-dev libtbb-dev libspdlog-dev nlohmann-json3-dev
-                  catch2 libfcl-dev)
+                  catch2 libfcl-dev zlib1g-dev)
+# With these the page of reports is bundled; without them everything else is built. They are many
+# small packages, so only `ringlet_setup page` installs them. Whoever has npm from elsewhere keeps it.
+ringlet_page_packages=(nodejs npm)
 
 ringlet_missing_packages() {
   local package
@@ -18,24 +21,34 @@ ringlet_missing_packages() {
 ringlet_install() {
   if ! command -v apt-get >/dev/null || ! command -v dpkg >/dev/null; then
     echo "This system has no apt. What must be installed: a C++20 compiler (g++ 12 or newer)," \
-         "CMake 3.25, Ninja, Eigen 3.4, oneTBB, spdlog, nlohmann_json 3.11, FCL 0.7 and Catch2." \
+         "CMake 3.25, Ninja, Eigen 3.4, oneTBB, spdlog, nlohmann_json 3.11, FCL 0.7, zlib and" \
+         "Catch2; for the page of reports also Node 18 and npm." \
          "Going on with what CMake finds." >&2
     return
   fi
   local missing
   mapfile -t missing < <(ringlet_missing_packages)
-  if [ "${#missing[@]}" -eq 0 ]; then return; fi
+  local page=()
+  if [ "${1:-}" = page ] && ! command -v npm >/dev/null; then page=("${ringlet_page_packages[@]}"); fi
+  if [ "${#missing[@]}" -eq 0 ] && [ "${#page[@]}" -eq 0 ]; then return; fi
   local sudo=()
   if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo >/dev/null; then
-      echo "Run this as root, or install these packages first: ${missing[*]}" >&2
+      if [ "${#missing[@]}" -eq 0 ]; then return; fi
+      echo "Run this as root, or install these packages first: ${missing[*]} ${page[*]}" >&2
       exit 2
     fi
     sudo=(sudo)
   fi
-  echo "Installing ${missing[*]}" >&2
+  echo "Installing ${missing[*]} ${page[*]}" >&2
+  local install=("${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y
+                 --no-install-recommends)
   "${sudo[@]}" apt-get update -q
-  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+  if [ "${#missing[@]}" -gt 0 ]; then "${install[@]}" "${missing[@]}"; fi
+  if [ "${#page[@]}" -gt 0 ]; then
+    "${install[@]}" "${page[@]}" || echo "Going on without ${page[*]}: there will be no report." >&2
+    rm -f "$ringlet_build/build.ninja"  # so that CMake looks for them again
+  fi
 }
 
 ringlet_configure() {
@@ -47,6 +60,6 @@ ringlet_configure() {
 }
 
 ringlet_setup() {
-  ringlet_install
+  ringlet_install "$@"
   ringlet_configure
 }

@@ -25,5 +25,6 @@ Command new_command();
 Command verify_command();
 Command eval_command();
 Command bench_command();
+Command report_command();
 
 }  // namespace ringlet

@@ -1,3 +1,4 @@
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 #include <tbb/global_control.h>
 
@@ -54,8 +55,9 @@ int run_in(const fs::path& folder, const std::string& name, const Scene& scene,
   try {
     const RunRecord record = SceneRun(scene, simulation, folder).run(name, quiet);
     const int code = tell_outcome(record);
-    spdlog::info("{} steps in {:.3g} s, {:.3g} steps/s; results in {}", record.steps,
-                 record.wall_seconds, record.steps / record.wall_seconds, folder.string());
+    spdlog::info("{} steps in {:.3g} s, {:.3g} steps/s; results in:", record.steps,
+                 record.wall_seconds, record.steps / record.wall_seconds);
+    fmt::print("{}\n", folder.string());
     return code;
   } catch (const Error& error) {
     spdlog::error("{}", error.what());
@@ -91,7 +93,11 @@ Command run_command() {
                               {.name = "--threads", .value = "N", .meaning = "all cores if absent"},
                               {.name = "--quiet", .meaning = "only warnings and errors"}};
   for (Option& option : scene_options()) options.push_back(std::move(option));
-  return {"run", {"SCENE.json"}, "simulates a scene and writes a folder of results", options, run};
+  return {"run",
+          {"SCENE.json"},
+          "simulates a scene, writes a folder of results and prints its name",
+          options,
+          run};
 }
 
 }  // namespace ringlet

@@ -6,9 +6,11 @@
 #include "core/registry.h"
 #include "plugins/modules.h"
 #include "plugins/vtp/vtp_format.h"
+#include "plugins/vtp/vtp_reader.h"
 #include "plugins/vtp/vtp_writer.h"
 #include "tests/catch.h"
 #include "tests/plugins/vtp/read_vtp.h"
+#include "tests/temporary_file.h"
 
 using namespace ringlet;
 namespace fs = std::filesystem;
@@ -120,6 +122,44 @@ TEST_CASE("a last state that was already written is not written twice") {
   const std::string index = read_text(folder / "run.pvd");
   CHECK(index.find("frame_00001") == index.rfind("frame_00001"));
   fs::remove_all(folder);
+}
+
+TEST_CASE("a frame is read back as it was written, in both encodings") {
+  const Sample sample;
+  for (const VtpEncoding encoding : {VtpEncoding::binary, VtpEncoding::ascii}) {
+    const TemporaryFile file("vtp", written(sample, encoding));
+    const VtpFrame frame = read_vtp_frame(file.path());
+    CHECK(frame.time == 0.7);
+    CHECK(frame.offsets == std::vector<std::int32_t>{2, 7, 10});
+    REQUIRE((frame.points.size() == 30 && frame.radii.size() == 10));
+    for (int v = 0; v < 10; ++v) {
+      CHECK(frame.radii[v] == Approx(sample.model.strands.radius(v)).epsilon(1e-6));
+      for (int c = 0; c < 3; ++c) {
+        CHECK(frame.points[3 * v + c] == Approx(sample.state.positions.get(v)[c]).epsilon(1e-6));
+      }
+    }
+  }
+}
+
+TEST_CASE("a frame that is not whole is refused, wherever it ends") {
+  const std::string whole = written(Sample(), VtpEncoding::binary);
+  for (std::size_t size = 0; size < whole.size() - 1; size += 7) {
+    const TemporaryFile file("vtp", whole.substr(0, size));
+    CHECK_THROWS_AS(read_vtp_frame(file.path()), Error);
+  }
+  CHECK_THROWS_AS(read_vtp_frame("no/such/file.vtp"), Error);
+}
+
+TEST_CASE("a frame whose arrays do not fit together is refused") {
+  const std::string whole = written(Sample(), VtpEncoding::ascii);
+  for (const auto& [from, to] : {std::pair{"2 7 10", "2 7 11"}, std::pair{"2 7 10", "7 2 10"},
+                                 std::pair{"Name=\"Points\"", "Name=\"Other\""}}) {
+    std::string text = whole;
+    REQUIRE(text.find(from) != std::string::npos);
+    text.replace(text.find(from), std::string(from).size(), to);
+    const TemporaryFile file("vtp", text);
+    CHECK_THROWS_AS(read_vtp_frame(file.path()), Error);
+  }
 }
 
 TEST_CASE("the module makes vtp known, with its keys") {
