@@ -47,9 +47,9 @@ export class Frames {
     });
   }
 
-  /** Positions in m at a frame, x, y, z a vertex, into an array from an offset on. */
-  positions(frame, out, offset = 0) {
-    this.#combine([frame], [1], out, offset);
+  /** Positions in m at a frame: x, y, z a vertex, each `stride` after the one before. */
+  positions(frame, out, stride = 3) {
+    this.#combine([frame], [1], out, stride);
   }
 
   /** The frames between which a frame's speed is measured, and the seconds between these. */
@@ -63,11 +63,11 @@ export class Frames {
    * Positions at a time between two frames, on the cubic through them whose slopes are the central
    * differences: what was thinned out is so played smoothly.
    */
-  positionsAt(frame, fraction, out, offset) {
-    if (fraction === 0 || frame + 1 >= this.ready) return this.positions(frame, out, offset);
+  positionsAt(frame, fraction, out, stride) {
+    if (fraction === 0 || frame + 1 >= this.ready) return this.positions(frame, out, stride);
     const last = this.ready - 1;
     const at = [Math.max(frame - 1, 0), frame, frame + 1, Math.min(frame + 2, last)];
-    this.#combine(at, this.#cubicWeights(at, fraction), out, offset);
+    this.#combine(at, this.#cubicWeights(at, fraction), out, stride);
   }
 
   #cubicWeights(at, s) {
@@ -78,17 +78,17 @@ export class Frames {
     return [-slope1, 1 - value2 - slope2, value2 + slope1, slope2];
   }
 
-  #combine(frames, weights, out, offset) {
+  #combine(frames, weights, out, stride) {
     const { low, step } = record.frames;
     const [a, b, c, d] = frames.map((frame) => this.#quantised[frame]);
     for (let axis = 0; axis < 3; ++axis) {
       const [wa, wb, wc, wd] = weights.map((weight) => weight * step[axis]);
-      const values = 3 * this.vertices;
+      const base = low[axis], values = 3 * this.vertices;
       if (b === undefined) {
-        for (let i = axis; i < values; i += 3) out[offset + i] = low[axis] + wa * a[i];
+        for (let i = axis, o = axis; i < values; i += 3, o += stride) out[o] = base + wa * a[i];
       } else {
-        for (let i = axis; i < values; i += 3) {
-          out[offset + i] = low[axis] + wa * a[i] + wb * b[i] + wc * c[i] + wd * d[i];
+        for (let i = axis, o = axis; i < values; i += 3, o += stride) {
+          out[o] = base + wa * a[i] + wb * b[i] + wc * c[i] + wd * d[i];
         }
       }
     }

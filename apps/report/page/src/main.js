@@ -44,7 +44,7 @@ class View {
 
   show(frame, fraction) {
     if (frame >= this.#frames.ready) return;
-    this.#frames.positionsAt(frame, fraction, this.#strands.positions, this.#strands.offset);
+    this.#frames.positionsAt(frame, fraction, this.#strands.positions, 4);
     this.#strands.positionsChanged();
     this.#colliders.place(frame, fraction);
     this.#measure(frame);

@@ -1,7 +1,6 @@
 import {
-  BufferAttribute, DataTexture, DoubleSide, DynamicDrawUsage, GLSL3, InstancedBufferAttribute,
-  InstancedBufferGeometry, InstancedInterleavedBuffer, InterleavedBufferAttribute, LinearFilter,
-  Mesh, ShaderMaterial, Vector2,
+  BufferAttribute, BufferGeometry, DataTexture, DoubleSide, FloatType, GLSL3, LinearFilter, Mesh,
+  RGBAFormat, ShaderMaterial, Vector2,
 } from 'three';
 
 import { scaleBytes } from './palette.js';
@@ -10,61 +9,67 @@ import { shadowFragment, strandFragment, strandVertex } from './strand_shader.js
 /** Steps of the ribbon along a segment: fewer where there are many segments. */
 const stepsFor = (segments) => (segments > 400000 ? 1 : segments > 100000 ? 2 : 6);
 
-function ribbon(geometry, steps) {
-  const corners = [], index = [];
-  for (let step = 0; step <= steps; ++step) {
-    corners.push(-1, step / steps, 1, step / steps);
-    if (step < steps) {
-      const at = 2 * step;
-      index.push(at, at + 1, at + 2, at + 2, at + 1, at + 3);
+/** Two triangles a step of each segment; a segment has the number of its first vertex. */
+function ribbons(first, steps) {
+  const strands = first.length - 1;
+  const index = new Uint32Array(6 * steps * (first[strands] - strands));
+  let at = 0;
+  for (let strand = 0; strand < strands; ++strand) {
+    for (let v = first[strand]; v + 1 < first[strand + 1]; ++v) {
+      for (let step = 0; step < steps; ++step) {
+        const corner = 2 * (v * (steps + 1) + step);
+        index.set([corner, corner + 1, corner + 2, corner + 2, corner + 1, corner + 3], at);
+        at += 6;
+      }
     }
   }
-  geometry.setAttribute('corner', new BufferAttribute(new Float32Array(corners), 2));
-  geometry.setIndex(index);
+  return index;
 }
 
-function describeSegments(first) {
-  const vertices = first[first.length - 1];
-  const segments = new Float32Array(2 * Math.max(vertices - 1, 1));
+/** Radius, neighbours and a random number, as the shader takes them. */
+function fillConstants(first, radii, constants) {
   for (let strand = 0; strand + 1 < first.length; ++strand) {
     // Golden ratio: neighbours differ, and no two are alike.
     const random = (strand * 0.6180339887) % 1;
-    for (let v = first[strand]; v + 1 < first[strand + 1]; ++v) {
-      segments[2 * v] = 1 + (v > first[strand] ? 2 : 0) + (v + 2 < first[strand + 1] ? 4 : 0);
-      segments[2 * v + 1] = random;
+    for (let v = first[strand]; v < first[strand + 1]; ++v) {
+      const neighbours = (v > first[strand] ? 1 : 0) + (v + 2 < first[strand + 1] ? 2 : 0);
+      constants.set([radii[v], neighbours, random], 4 * v);
     }
   }
-  return segments;
 }
 
-/** All strands. A segment is an instance that sees its own two vertices and those beside them. */
+/** Four numbers a vertex. */
+function texelsFor(vertices) {
+  const width = 1024;
+  const height = Math.ceil(vertices / width);
+  const texture = new DataTexture(new Float32Array(4 * width * height), width, height, RGBAFormat,
+                                  FloatType);
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/** All strands. */
 export class StrandMesh {
-  /** Of the vertices, one pad before and two behind: from `offset` on. */
-  positions;
-  offset = 3;
+  /** One a vertex. */
   values;
   mesh;
-  #positionBuffer;
-  #valueBuffer;
+  #moving;
   #uniforms;
+  #steps;
 
   constructor(first, radii, shadowUniforms, size) {
     const vertices = first[first.length - 1];
-    const segments = Math.max(vertices - 1, 0);
-    const geometry = new InstancedBufferGeometry();
-    geometry.instanceCount = segments;
-    ribbon(geometry, stepsFor(segments));
-
-    this.positions = new Float32Array(3 * (vertices + 3));
-    this.#positionBuffer = this.#shared(geometry, this.positions, 3,
-                                        { before: 0, from: 3, to: 6, after: 9 });
     this.values = new Float32Array(vertices);
-    this.#valueBuffer = this.#shared(geometry, this.values, 1, { valueFrom: 0, valueTo: 1 });
-    this.#shared(geometry, radii, 1, { radiusFrom: 0, radiusTo: 1 });
-    geometry.setAttribute('segment', new InstancedBufferAttribute(describeSegments(first), 2));
-
+    this.#moving = texelsFor(vertices);
+    const constant = texelsFor(vertices);
+    fillConstants(first, radii, constant.image.data);
+    this.#steps = stepsFor(vertices);
+    const geometry = new BufferGeometry();
+    geometry.setIndex(new BufferAttribute(ribbons(first, this.#steps), 1));
     this.#uniforms = {
       ...shadowUniforms,
+      moving: { value: this.#moving },
+      constant: { value: constant },
       viewHeight: { value: 1 },
       widening: { value: 1 },
       scale: { value: null },
@@ -80,18 +85,14 @@ export class StrandMesh {
 
   #material(fragmentShader, options) {
     return new ShaderMaterial({ glslVersion: GLSL3, uniforms: this.#uniforms, side: DoubleSide,
-                                vertexShader: strandVertex, fragmentShader, ...options });
+                                defines: { STEPS: this.#steps }, vertexShader: strandVertex,
+                                fragmentShader, ...options });
   }
 
-  #shared(geometry, array, stride, offsets) {
-    const buffer = new InstancedInterleavedBuffer(array, stride);
-    buffer.setUsage(DynamicDrawUsage);
-    for (const [name, offset] of Object.entries(offsets)) {
-      geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, stride, offset));
-    }
-    return buffer;
+  /** x, y, z and a number more of each vertex. */
+  get positions() {
+    return this.#moving.image.data;
   }
-
   setHeight(pixels) {
     this.#uniforms.viewHeight.value = pixels;
   }
@@ -99,10 +100,14 @@ export class StrandMesh {
     this.#uniforms.widening.value = factor;
   }
   positionsChanged() {
-    this.#positionBuffer.needsUpdate = true;
+    this.#moving.needsUpdate = true;
   }
   valuesChanged() {
-    this.#valueBuffer.needsUpdate = true;
+    const texels = this.#moving.image.data;
+    this.values.forEach((value, v) => {
+      texels[4 * v + 3] = value;
+    });
+    this.#moving.needsUpdate = true;
   }
 
   /** mode: hair, strand or a scale over a range. */

@@ -1,14 +1,13 @@
 import { lightThrough } from './shadow.js';
 
 /**
- * A segment of a strand becomes a ribbon that faces the viewer: a cubic through the vertices, in
- * steps of the coordinate `corner.y`, as wide as the strand, but at least about a pixel.
+ * A segment of a strand becomes a ribbon that faces the viewer: a cubic through the vertices in
+ * STEPS steps, as wide as the strand, but at least about a pixel. There are no attributes: the
+ * number of a corner says which segment and step it belongs to.
  */
 export const strandVertex = /* glsl */ `
-in vec2 corner;
-in vec3 before, from, to, after;
-in float radiusFrom, radiusTo, valueFrom, valueTo;
-in vec2 segment;  // what there is (0 nothing; 1 the segment, + 2 one before, + 4 one after); a random number
+uniform highp sampler2D moving;   // of each vertex x, y, z, value
+uniform highp sampler2D constant;  // radius; whether it has one before (1), two behind (2); random
 
 uniform float viewHeight;  // pixels
 uniform float widening;
@@ -16,15 +15,23 @@ uniform float widening;
 out vec3 world, tangent, side, towardsViewer;
 out float across, value, coverage, random;
 
+vec4 at(highp sampler2D texels, int vertex) {
+  int width = textureSize(texels, 0).x;
+  return texelFetch(texels, ivec2(vertex % width, vertex / width), 0);
+}
+
 void main() {
-  int parts = int(segment.x);
-  if (parts == 0) {
-    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-    return;
-  }
-  float s = corner.y;
-  vec3 slopeFrom = (parts & 2) != 0 ? 0.5 * (to - before) : to - from;
-  vec3 slopeTo = (parts & 4) != 0 ? 0.5 * (after - from) : to - from;
+  const int corners = 2 * (STEPS + 1);
+  int vertex = gl_VertexID / corners, corner = gl_VertexID % corners;
+  float s = float(corner / 2) / float(STEPS);
+  across = float(2 * (corner % 2) - 1);
+
+  vec4 here = at(moving, vertex), next = at(moving, vertex + 1);
+  vec4 constants = at(constant, vertex);
+  int neighbours = int(constants.y);
+  vec3 from = here.xyz, to = next.xyz;
+  vec3 slopeFrom = (neighbours & 1) != 0 ? 0.5 * (to - at(moving, vertex - 1).xyz) : to - from;
+  vec3 slopeTo = (neighbours & 2) != 0 ? 0.5 * (at(moving, vertex + 2).xyz - from) : to - from;
   vec3 bend = 2.0 * (from - to) + slopeFrom + slopeTo;
   vec3 turn = 3.0 * (to - from) - 2.0 * slopeFrom - slopeTo;
   vec3 centre = from + s * (slopeFrom + s * (turn + s * bend));
@@ -38,19 +45,18 @@ void main() {
 
   float distance = isOrthographic ? 1.0 : -seen.z;
   float pixel = 2.0 * distance / (projectionMatrix[1][1] * viewHeight);
-  float radius = widening * mix(radiusFrom, radiusTo, s);
+  float radius = widening * mix(constants.x, at(constant, vertex + 1).x, s);
   float drawn = max(radius, 0.6 * pixel);
   coverage = clamp(radius / drawn, 0.15, 1.0);
-  gl_Position = projectionMatrix * vec4(seen.xyz + corner.x * drawn * viewSide, 1.0);
+  gl_Position = projectionMatrix * vec4(seen.xyz + across * drawn * viewSide, 1.0);
 
   mat3 toWorld = transpose(mat3(viewMatrix));
   world = centre;
   tangent = toWorld * viewTangent;
   side = toWorld * viewSide;
   towardsViewer = toWorld * viewer;
-  across = corner.x;
-  value = mix(valueFrom, valueTo, s);
-  random = segment.y;
+  value = mix(here.w, next.w, s);
+  random = constants.z;
 }
 `;
 
