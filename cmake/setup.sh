@@ -4,7 +4,7 @@
 ringlet_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 ringlet_build="$ringlet_root/build/release"
 ringlet_packages=(g++ cmake ninja-build libeigen3-dev libtbb-dev libspdlog-dev nlohmann-json3-dev
-                  catch2 libfcl-dev zlib1g-dev)
+                  catch2 libfcl-dev zlib1g-dev python3-jsonschema)
 # With these the page of reports is bundled; without them everything else is built. They are many
 # small packages, so only `ringlet_setup page` installs them. Whoever has npm from elsewhere keeps it.
 ringlet_page_packages=(nodejs npm)
@@ -22,7 +22,8 @@ ringlet_install() {
   if ! command -v apt-get >/dev/null || ! command -v dpkg >/dev/null; then
     echo "This system has no apt. What must be installed: a C++20 compiler (g++ 12 or newer)," \
          "CMake 3.25, Ninja, Eigen 3.4, oneTBB, spdlog, nlohmann_json 3.11, FCL 0.7, zlib and" \
-         "Catch2; for the page of reports also Node 18 and npm." \
+         "Catch2; for the page of reports also Node 18 and npm, for a test of the" \
+         "scenes' schema Python 3 with jsonschema." \
          "Going on with what CMake finds." >&2
     return
   fi

@@ -15,6 +15,11 @@ struct Direction {
 template <>
 struct Codec<Direction> {
   static std::string type() { return "direction [x, y, z] other than zero"; }
+  static Json schema(const KeyInfo& key) {
+    Json schema = vector_schema(key);
+    schema["not"] = {{"const", {0, 0, 0}}};
+    return schema;
+  }
   static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
                    ParseContext& context, Direction& out) {
     Eigen::Vector3d vector = out.unit;

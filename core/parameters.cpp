@@ -46,6 +46,45 @@ std::string Range::text() const {
   return "";
 }
 
+Json number_schema(const KeyInfo& key, const char* type) {
+  Json schema{{"type", type}};
+  const Range& range = key.range;
+  if (std::isfinite(range.low)) {
+    schema[range.low_excluded ? "exclusiveMinimum" : "minimum"] = range.low;
+  }
+  if (std::isfinite(range.high)) schema["maximum"] = range.high;
+  return schema;
+}
+
+Json list_schema(Json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
+
+Json vector_schema(const KeyInfo& key) {
+  Json schema = list_schema(number_schema(key));
+  schema["minItems"] = schema["maxItems"] = 3;
+  return schema;
+}
+
+Json choice_schema(std::vector<Json> alternatives) { return {{"anyOf", std::move(alternatives)}}; }
+
+Json key_schema(const KeyInfo& key) {
+  Json schema = key.value_schema(key);
+  schema["description"] = key.meaning + (key.unit.empty() ? "" : " [" + key.unit + "]");
+  if (!key.required) schema["default"] = key.default_value;
+  return schema;
+}
+
+Json object_schema(const std::vector<KeyInfo>& keys) {
+  Json properties = Json::object(), required = Json::array();
+  for (const KeyInfo& key : keys) {
+    properties[key.name] = key_schema(key);
+    if (key.required) required.push_back(key.name);
+  }
+  return {{"type", "object"},
+          {"properties", std::move(properties)},
+          {"required", std::move(required)},
+          {"additionalProperties", false}};
+}
+
 std::string KeyInfo::expected() const {
   std::string text = "expected " + type;
   if (!range.text().empty()) text += " " + range.text();

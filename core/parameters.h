@@ -60,6 +60,7 @@ struct KeyInfo {
   std::string type;       ///< "number", "integer", ...
   bool required = false;  ///< it has no default
   Json default_value;
+  std::function<Json(const KeyInfo&)> value_schema;  ///< that of Codec
 
   /// "expected a number > 0 in m", for error messages.
   std::string expected() const;
@@ -80,14 +81,26 @@ struct MotionName {
 template <class Enum>
 struct EnumNames;
 
-/// How a type of parameter is read from JSON, written back, and named. read() reports what is wrong
-/// and leaves `out` as it was. complete() is called where the key is absent.
+/// The JSON Schema (draft 2020-12) of a key's value, with meaning, unit and default.
+Json key_schema(const KeyInfo& key);
+/// That of an object which has these keys and no others.
+Json object_schema(const std::vector<KeyInfo>& keys);
+/// Those of some types of value; numbers within the range of the key.
+Json number_schema(const KeyInfo& key, const char* type = "number");
+Json vector_schema(const KeyInfo& key);
+Json list_schema(Json items);
+Json choice_schema(std::vector<Json> alternatives);
+
+/// How a type of parameter is read from JSON, written back, named, and told as a JSON Schema.
+/// read() reports what is wrong and leaves `out` as it was. complete() is called where the key is
+/// absent.
 template <class M>
 struct Codec;
 
 template <>
 struct Codec<double> {
   static std::string type() { return "number"; }
+  static Json schema(const KeyInfo& key) { return number_schema(key); }
   static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&, double&);
   static Json write(double value) { return value; }
 };
@@ -95,6 +108,7 @@ struct Codec<double> {
 template <>
 struct Codec<int> {
   static std::string type() { return "integer"; }
+  static Json schema(const KeyInfo& key) { return number_schema(key, "integer"); }
   static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&, int&);
   static Json write(int value) { return value; }
 };
@@ -102,6 +116,7 @@ struct Codec<int> {
 template <>
 struct Codec<bool> {
   static std::string type() { return "true or false"; }
+  static Json schema(const KeyInfo&) { return {{"type", "boolean"}}; }
   static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&, bool&);
   static Json write(bool value) { return value; }
 };
@@ -109,6 +124,7 @@ struct Codec<bool> {
 template <>
 struct Codec<std::string> {
   static std::string type() { return "text"; }
+  static Json schema(const KeyInfo&) { return {{"type", "string"}}; }
   static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&,
                    std::string&);
   static Json write(const std::string& value) { return value; }
@@ -117,6 +133,7 @@ struct Codec<std::string> {
 template <>
 struct Codec<Eigen::Vector3d> {
   static std::string type() { return "list of 3 numbers"; }
+  static Json schema(const KeyInfo& key) { return vector_schema(key); }
   static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&,
                    Eigen::Vector3d&);
   static Json write(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
@@ -125,6 +142,7 @@ struct Codec<Eigen::Vector3d> {
 template <>
 struct Codec<ScenePath> {
   static std::string type() { return "path of a file"; }
+  static Json schema(const KeyInfo&) { return {{"type", "string"}}; }
   static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&,
                    ScenePath&);
   static Json write(const ScenePath& value) { return value.absolute.string(); }
@@ -133,6 +151,7 @@ struct Codec<ScenePath> {
 template <>
 struct Codec<MotionName> {
   static std::string type() { return "name of a motion"; }
+  static Json schema(const KeyInfo&) { return {{"type", "string"}}; }
   static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&,
                    MotionName&);
   static Json write(const MotionName& value) { return value.name; }
@@ -141,6 +160,9 @@ struct Codec<MotionName> {
 template <class M>
 struct Codec<std::optional<M>> {
   static std::string type() { return Codec<M>::type() + ", or null"; }
+  static Json schema(const KeyInfo& key) {
+    return choice_schema({Codec<M>::schema(key), {{"type", "null"}}});
+  }
   static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
                    ParseContext& context, std::optional<M>& out) {
     if (json.is_null()) {
@@ -160,6 +182,7 @@ struct Codec<std::optional<M>> {
 template <class M>
 struct Codec<std::vector<M>> {
   static std::string type() { return "list of " + Codec<M>::type(); }
+  static Json schema(const KeyInfo& key) { return list_schema(Codec<M>::schema(key)); }
   static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
                    ParseContext& context, std::vector<M>& out) {
     if (!json.is_array()) {
@@ -191,6 +214,11 @@ struct Codec<Enum> {
     std::string text = "one of";
     for (const auto& [value, name] : EnumNames<Enum>::names) text += " '" + std::string(name) + "'";
     return text;
+  }
+  static Json schema(const KeyInfo&) {
+    Json names = Json::array();
+    for (const auto& [value, name] : EnumNames<Enum>::names) names.push_back(name);
+    return {{"enum", names}};
   }
   static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
                    ParseContext& context, Enum& out) {
@@ -305,7 +333,7 @@ class Schema {
   template <class M>
   Schema& add(const std::string& name, M T::*member, const std::string& unit, const Range& range,
               const std::string& meaning, bool required) {
-    KeyInfo info{name, unit, range, meaning, Codec<M>::type(), required, {}};
+    KeyInfo info{name, unit, range, meaning, Codec<M>::type(), required, {}, Codec<M>::schema};
     if (!required) info.default_value = Codec<M>::write(T{}.*member);
     const auto read = [member, info](const Json* json, const std::string& pointer,
                                      ParseContext& context, T& out) {
@@ -334,6 +362,7 @@ template <class M>
 requires requires { M::schema(); }
 struct Codec<M> {
   static std::string type() { return "object"; }
+  static Json schema(const KeyInfo&) { return object_schema(M::schema().infos()); }
   static void read(const Json& json, const std::string& pointer, const KeyInfo&,
                    ParseContext& context, M& out) {
     M::schema().read(json, pointer, context, out);

@@ -90,6 +90,9 @@ struct Kind<Observer> {
   static constexpr const char* name = "writer";
 };
 
+/// A kind's name as a key: linear_solver.
+std::string kind_key(std::string kind);
+
 /// A plugin chosen in a scene, {"type": NAME, ...} or just NAME. Its parameters are already
 /// checked, so that make() can only fail for reasons outside the scene.
 template <class Interface>
@@ -225,6 +228,7 @@ class Registry {
 template <class Interface>
 struct Codec<Choice<Interface>> {
   static std::string type() { return std::string(Kind<Interface>::name); }
+  static Json schema(const KeyInfo&) { return {{"$ref", "#/$defs/" + kind_key(type())}}; }
   static void read(const Json& json, const std::string& pointer, const KeyInfo&,
                    ParseContext& context, Choice<Interface>& out) {
     const Json object = json.is_string() ? Json{{"type", json}} : json;
@@ -254,6 +258,10 @@ struct Codec<Choice<Interface>> {
 template <class Interface>
 struct Codec<std::optional<Choice<Interface>>> {
   static std::string type() { return Codec<Choice<Interface>>::type() + ", or none"; }
+  static Json schema(const KeyInfo& key) {
+    return choice_schema(
+        {Codec<Choice<Interface>>::schema(key), {{"const", "none"}}, {{"type", "null"}}});
+  }
   static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
                    ParseContext& context, std::optional<Choice<Interface>>& out) {
     if (json.is_null() || json == "none") {

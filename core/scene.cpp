@@ -12,6 +12,10 @@ namespace ringlet {
 template <>
 struct Codec<NamedMotions> {
   static std::string type() { return "object of lists of motions"; }
+  static Json schema(const KeyInfo& key) {
+    return {{"type", "object"},
+            {"additionalProperties", Codec<std::vector<Choice<Motion>>>::schema(key)}};
+  }
   static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
                    ParseContext& context, NamedMotions& out) {
     if (!json.is_object()) {
@@ -37,6 +41,11 @@ template <>
 struct Codec<std::vector<Choice<StrandSource>>> {
   using Source = Codec<Choice<StrandSource>>;
   static std::string type() { return "strand source, or list of them"; }
+  static Json schema(const KeyInfo& key) {
+    Json list = list_schema(Source::schema(key));
+    list["minItems"] = 1;
+    return choice_schema({Source::schema(key), list});
+  }
   static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
                    ParseContext& context, std::vector<Choice<StrandSource>>& out) {
     if (!json.is_array()) {
@@ -76,6 +85,8 @@ Schema<Expectation> Expectation::schema() {
 
 Schema<Scene> Scene::schema() {
   return Schema<Scene>()
+      .key("$schema", &Scene::schema_address, "", any_number(),
+           "where an editor finds the JSON Schema of scenes; ignored otherwise")
       .key("about", &Scene::about, "", any_number(), "what the scene shows, for its readers")
       .key("plugins", &Scene::plugins, "", any_number(),
            "plugin libraries to load: paths, or names of RINGLET_PLUGIN_PATH")

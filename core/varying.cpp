@@ -55,6 +55,23 @@ double Varying::at(const Strands& strands, int vertex) const {
   return (1 - part) * numbers_[before] + part * numbers_[before + 1];
 }
 
+Json Codec<Varying>::schema(const KeyInfo& key) {
+  const Json number = Codec<double>::schema(key), list = Codec<std::vector<double>>::schema(key);
+  Json from_root_to_tip = list;
+  from_root_to_tip["minItems"] = 2;
+  std::vector<Json> alternatives{number};
+  for (std::size_t by = 1; by < std::size(keys); ++by) {
+    const bool along = static_cast<Varying::By>(by) == Varying::By::length;
+    const Json numbers =
+        along ? from_root_to_tip : choice_schema({list, Codec<ScenePath>::schema(key)});
+    alternatives.push_back({{"type", "object"},
+                            {"properties", {{keys[by], numbers}}},
+                            {"required", Json::array({keys[by]})},
+                            {"additionalProperties", false}});
+  }
+  return choice_schema(std::move(alternatives));
+}
+
 void Codec<Varying>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
                           ParseContext& context, Varying& out) {
   const std::size_t problems = context.problems.size();

@@ -41,6 +41,7 @@ struct Codec<Varying> {
   static std::string type() {
     return "number, or {\"by_strand\", \"by_vertex\" or \"root_to_tip\"}";
   }
+  static Json schema(const KeyInfo& key);
   static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&,
                    Varying&);
   static Json write(const Varying&);

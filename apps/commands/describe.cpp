@@ -5,6 +5,7 @@
 #include "apps/commands/command.h"
 #include "apps/exit_codes.h"
 #include "core/scene.h"
+#include "core/scene_schema.h"
 
 namespace ringlet {
 namespace {
@@ -35,8 +36,7 @@ void print_scene() {
   for (const KeyInfo& key : Scene::schema().infos()) print_key(key, 4);
 }
 
-int describe(const Registry& registry, const Arguments& arguments) {
-  const std::string name = *arguments.operand(0);
+int describe_named(const Registry& registry, const std::string& name) {
   std::vector<std::string> known{"scene"};
   bool found = name == "scene";
   if (found) print_scene();
@@ -52,14 +52,26 @@ int describe(const Registry& registry, const Arguments& arguments) {
   return exit_ok;
 }
 
+int describe(const Registry& registry, const Arguments& arguments) {
+  const auto name = arguments.operand(0);
+  if (name.has_value() == arguments.has("--schema")) {
+    throw Error("expected the name of what to describe, or --schema for the whole scene");
+  }
+  if (name) return describe_named(registry, *name);
+  fmt::print("{}\n", scene_schema(registry).dump(2));
+  return exit_ok;
+}
+
 }  // namespace
 
 Command describe_command() {
-  return {"describe",
-          {"NAME"},
-          "keys, units, defaults, equation and source of what `list` names, or of `scene`",
-          {},
-          describe};
+  return {
+      "describe",
+      {"[NAME]"},
+      "keys, units, defaults, equation and source of what `list` names, or of `scene`",
+      {{.name = "--schema",
+        .meaning = "instead, a JSON Schema of the whole scene, for editors and other programs"}},
+      describe};
 }
 
 }  // namespace ringlet

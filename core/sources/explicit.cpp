@@ -16,6 +16,11 @@ struct Polyline {
 template <>
 struct Codec<Polyline> {
   static std::string type() { return "strand [[x, y, z], ...]"; }
+  static Json schema(const KeyInfo& key) {
+    Json schema = list_schema(vector_schema(key));
+    schema["minItems"] = 2;
+    return schema;
+  }
   static void read(const Json& json, const std::string& pointer, const KeyInfo&,
                    ParseContext& context, Polyline& out) {
     if (!json.is_array() || json.size() < 2) {

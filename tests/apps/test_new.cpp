@@ -47,6 +47,8 @@ TEST_CASE("new renames words of an example and nothing else") {
       INFO(name);
       CHECK(undo(undo(text, "my_own", example), "MyOwn", type) ==
             original.at(undo(name, "my_own", example)));
+      // A longer word that has the name in it.
+      CHECK_FALSE(std::regex_search(text, std::regex("[A-Za-z]my_own|my_own[a-z]")));
       const std::regex forgotten("(^|[^a-z])" + example + "([^a-z]|$)|(^|[^A-Za-z])" + type +
                                  "([^a-z]|$)");
       CHECK_FALSE(std::regex_search(text, forgotten));

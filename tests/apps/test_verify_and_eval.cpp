@@ -1,3 +1,5 @@
+#include <regex>
+
 #include "tests/apps/program.h"
 #include "tests/catch.h"
 
@@ -32,6 +34,31 @@ TEST_CASE("verify prints a table and says whether all claims hold") {
   CHECK(bad.exit_code == 2);
   CHECK_THAT(bad.errors, Catch::Contains("/fade: expected number in"));
   CHECK(place.run({"verify", "--set", "/fade=1"}).exit_code == 2);
+}
+
+TEST_CASE("verify finds each of the deliberate mistakes of a plugin") {
+  const Workplace place;
+  const auto verify = [&](const std::string& mistake) {
+    return place.run({"verify", "wrong_bending", "--plugin", RINGLET_WRONG_BENDING, "--trials", "2",
+                      "--set", "/mistake=" + mistake});
+  };
+  CHECK(verify("none").exit_code == 0);
+  const std::map<std::string, std::vector<std::string>> claims_of{
+      {"sign", {"the gradient is the derivative of the value"}},
+      {"factor", {"the Hessian is the derivative of the gradient"}},
+      {"not_invariant", {"translations change nothing", "rotations turn gradient and Hessian"}},
+      {"nan_when_straight", {"finite in degenerate states"}},
+      {"rest", {"at rest there is no force"}},
+      {"lanes", {"lanes compute what plain doubles do"}},
+      {"indefinite", {"tight: positive semi-definite"}}};
+  for (const auto& [mistake, claims] : claims_of) {
+    INFO(mistake);
+    const ProgramResult result = verify(mistake);
+    CHECK(result.exit_code == 1);
+    for (const std::string& claim : claims) {
+      CHECK(std::regex_search(result.output, std::regex(claim + " .* FAILED: ")));
+    }
+  }
 }
 
 TEST_CASE("eval gives value, gradient and Hessian of each case") {

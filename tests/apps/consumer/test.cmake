@@ -1,6 +1,7 @@
 # Installs ringlet to a folder of its own, builds against it the consumer, the example plugins and
 # what `ringlet new` writes of every kind, and runs their tests and scenes with the installed
-# program. Called by CTest with BUILD, SOURCE, EXAMPLES, WORK, CXX, CXX_FLAGS and GENERATOR.
+# program. Called by CTest with BUILD, SOURCE, EXAMPLES, WORK, CXX, CXX_FLAGS, GENERATOR and
+# VALIDATE_SCHEMA, the command that tries the schema of scenes, empty where it cannot be run.
 function(must)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
@@ -40,8 +41,16 @@ endforeach()
 file(COPY_FILE ${SOURCE}/plugins.cmake ${WORK}/CMakeLists.txt)
 build(${WORK} ${WORK}/plugins Release)
 must(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/plugins --output-on-failure)
+set(plugins "")
+set(scenes "")
 foreach(folder IN LISTS projects)
   must(${ringlet} run ${folder}/scene.json -o ${folder}/results --quiet)
   # What was written of the scene names the plugin, too.
   must(${ringlet} check ${folder}/results/scene.resolved.json)
+  get_filename_component(name ${folder} NAME)
+  list(APPEND plugins --plugin ${folder}/build/${name}.so)
+  list(APPEND scenes ${folder}/scene.json ${folder}/results/scene.resolved.json)
 endforeach()
+if(VALIDATE_SCHEMA)
+  must(${VALIDATE_SCHEMA} ${ringlet} ${plugins} --accepts ${scenes})
+endif()
