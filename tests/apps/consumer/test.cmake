@@ -1,7 +1,7 @@
-# Installs ringlet to a folder of its own, builds against it the consumer, the example plugins and
-# what `ringlet new` writes of every kind, and runs their tests and scenes with the installed
-# program. Called by CTest with BUILD, SOURCE, EXAMPLES, WORK, CXX, CXX_FLAGS, GENERATOR and
-# VALIDATE_SCHEMA, the command that tries the schema of scenes, empty where it cannot be run.
+# Builds against the ringlet installed in PREFIX the consumer, the example plugins and what `ringlet
+# new` writes of every kind, and runs their tests and scenes with the installed program. Called by
+# CTest with PREFIX, SOURCE, EXAMPLES, WORK, CXX, CXX_FLAGS, GENERATOR and VALIDATE_SCHEMA, the
+# command that tries the schema of scenes, empty where it cannot be run.
 function(must)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
@@ -11,18 +11,17 @@ function(must)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
-must(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
-set(ringlet ${WORK}/prefix/bin/ringlet)
+set(ringlet ${PREFIX}/bin/ringlet)
 function(build source folder type)
   must(${CMAKE_COMMAND} -S ${source} -B ${folder} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${type}
        -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_FLAGS=${CXX_FLAGS}
-       -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+       -DCMAKE_PREFIX_PATH=${PREFIX})
   must(${CMAKE_COMMAND} --build ${folder} --parallel 1)
 endfunction()
 
 build(${SOURCE} ${WORK}/build Debug)
 must(${WORK}/build/consumer)
-must(${ringlet} check ${WORK}/prefix/share/ringlet/scenes/first_curl.json)
+must(${ringlet} check ${PREFIX}/share/ringlet/scenes/first_curl.json)
 
 file(GLOB examples ${EXAMPLES}/*/CMakeLists.txt)
 set(projects "")
