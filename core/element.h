@@ -118,7 +118,7 @@ struct Derivatives {
 /// How an element's Hessian is made positive semi-definite (math.md, sections 2 and 3). At rest all
 /// of them give the exact Hessian.
 enum class Filter {
-  tight,  ///< closed form, a majorant; of an energy that gives only its value: clamp
+  tight,  ///< closed form, a majorant; of an energy that gives only its value: that of Trace
   paper,  ///< the closed form of "Lifted Curls", a majorant, stiffer where twist is concerned
   exact,  ///< none: the exact Hessian, possibly indefinite
   gauss_newton,  ///< closed form, no majorant: Psi'' grad grad^T of the measure, where Psi'' > 0

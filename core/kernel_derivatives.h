@@ -52,14 +52,12 @@ class KernelDerivatives {
   const Kernel& kernel() const { return kernel_; }
 
   /// Whether something remains to be done by a numeric eigensolver when evaluate_kernel() is done.
-  bool filters_numerically() const {
-    return is_numeric(filter_) || (!has_closed_form && filter_ != Filter::exact);
-  }
+  bool filters_numerically() const { return is_numeric(filter_); }
   /// use.template operator()<F>() with the filter F that the kernel is asked for.
   template <class Use>
   auto with_kernel_filter(const Use& use) const {
+    if (filter_ == Filter::tight) return use.template operator()<Filter::tight>();
     if constexpr (has_closed_form) {
-      if (filter_ == Filter::tight) return use.template operator()<Filter::tight>();
       if (filter_ == Filter::paper) return use.template operator()<Filter::paper>();
       if (filter_ == Filter::gauss_newton) return use.template operator()<Filter::gauss_newton>();
     }
@@ -72,12 +70,13 @@ class KernelDerivatives {
     if constexpr (has_closed_form) {
       return kernel_.evaluate(x, rest, filter, outputs);
     } else {
-      return evaluate_by_autodiff(kernel_, x, rest, outputs);
+      constexpr auto curvature = filter == Filter::tight ? Curvature::positive : Curvature::exact;
+      return evaluate_by_autodiff<curvature>(kernel_, x, rest, outputs);
     }
   }
   /// All of it.
   template <class S>
-  S evaluate(const Stencil<S, K>& x, const Rest<S>& rest, Derivatives<S, K>& derivatives) const {
+  [[gnu::flatten]] S evaluate(const Stencil<S, K>& x, const Rest<S>& rest, Derivatives<S, K>& derivatives) const {
     const S energy = with_kernel_filter(
         [&]<Filter filter>() { return evaluate_kernel<filter>(x, rest, derivatives.outputs()); });
     if (filters_numerically()) filter_eigenvalues(filter_, derivatives);

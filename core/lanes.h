@@ -13,8 +13,8 @@ using Pack = std::experimental::native_simd<double>;
 inline constexpr int lane_count = static_cast<int>(Pack::size());
 using Mask = Pack::mask_type;
 
-// Kernels are templates over their scalar (double, Pack, dual numbers) and call these functions
-// unqualified: doubles find them here, packs and dual numbers by argument-dependent lookup.
+// Kernels are templates over their scalar (double, Pack, traced numbers) and call these functions
+// unqualified: doubles find them here, packs and traced numbers by argument-dependent lookup.
 using std::abs;
 using std::copysign;
 using std::max;

@@ -6,7 +6,7 @@
 
 namespace ringlet {
 
-/// A 3-vector over any scalar of a kernel (double, Pack, dual number).
+/// A 3-vector over any scalar of a kernel (double, Pack, traced number).
 template <class S>
 struct Vector3 {
   S x, y, z;
@@ -20,16 +20,23 @@ struct Vector3 {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
   }
   friend Vector3 operator-(const Vector3& a) { return {-a.x, -a.y, -a.z}; }
-  friend Vector3 operator*(const S& s, const Vector3& a) { return {s * a.x, s * a.y, s * a.z}; }
+  friend Vector3 operator*(const S& s, const Vector3& a) { return scaled(s, a); }
 };
 
+// Inlined always: where a kernel is compiled twice, as for different filters, a call in one of them
+// would round otherwise than what is fused in the other, and near a straight hinge that is seen.
 template <class S>
-S dot(const Vector3<S>& a, const Vector3<S>& b) {
+[[gnu::always_inline]] inline Vector3<S> scaled(const S& s, const Vector3<S>& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+
+template <class S>
+[[gnu::always_inline]] inline S dot(const Vector3<S>& a, const Vector3<S>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 template <class S>
-Vector3<S> cross(const Vector3<S>& a, const Vector3<S>& b) {
+[[gnu::always_inline]] inline Vector3<S> cross(const Vector3<S>& a, const Vector3<S>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "core/verify/shapes.h"
+#include "core/verify/subject.h"
 
 namespace ringlet {
 namespace {
@@ -37,8 +37,7 @@ Timing time_element(const EnergyMaker& make, const Json& keys, const BenchOption
         }
       },
       options.seconds);
-  const int element_vertices = bound.energy().element_function()->vertices();
-  const double elements = count * (vertices - element_vertices + 1);
+  const double elements = count * (vertices - smallest_strand(make, random) + 1);
   return {timing.median / elements, timing.spread / elements};
 }
 

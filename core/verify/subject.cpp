@@ -10,17 +10,6 @@ namespace ringlet {
 
 namespace {
 
-int smallest_strand(const EnergyMaker& make, std::mt19937_64& random) {
-  constexpr int most = 8;
-  for (int vertices = 2; vertices <= most; ++vertices) {
-    const Points rest = random_strand(random, vertices, Shape::generic);
-    const BoundEnergy energy(make(Json::object()), rest);
-    const double value = energy.value(random_strand(random, vertices, Shape::generic));
-    if (value != 0) return vertices;
-  }
-  throw Error(fmt::format("the energy of random strands of 2 to {} vertices is 0", most));
-}
-
 std::vector<std::string> offered_filters(const EnergyMaker& make) {
   std::vector<std::string> names;
   for (const auto& [filter, name] : EnumNames<Filter>::names) {
@@ -45,6 +34,17 @@ void add_states(std::mt19937_64& random, int vertices, double nearly, int trials
 }
 
 }  // namespace
+
+int smallest_strand(const EnergyMaker& make, std::mt19937_64& random) {
+  constexpr int most = 8;
+  for (int vertices = 2; vertices <= most; ++vertices) {
+    const Points rest = random_strand(random, vertices, Shape::generic);
+    const BoundEnergy energy(make(Json::object()), rest);
+    const double value = energy.value(random_strand(random, vertices, Shape::generic));
+    if (value != 0) return vertices;
+  }
+  throw Error(fmt::format("the energy of random strands of 2 to {} vertices is 0", most));
+}
 
 void Claim::see(double error, const std::string& state) {
   ++states;

@@ -33,6 +33,10 @@ struct Subject {
   BoundEnergy bound(const std::string& filter, const VerifyState& state) const;
 };
 
+/// The number of vertices of the smallest strand that has an element of an energy. Throws Error if
+/// there is none.
+int smallest_strand(const EnergyMaker& make, std::mt19937_64& random);
+
 /// |a - b| relative to the larger of |b| and least, by their largest entries.
 double relative_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double least);
 

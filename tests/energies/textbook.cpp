@@ -154,7 +154,9 @@ Eigen::VectorXd Textbook::gradient(const Points& x) const {
 }
 
 std::unique_ptr<Energy> make_twin(const std::string& name, const std::string& filter) {
-  const Filter chosen = filter == "exact" ? Filter::exact : Filter::tight;
+  const Filter chosen = filter == "exact"   ? Filter::exact
+                        : filter == "clamp" ? Filter::clamp
+                                            : Filter::tight;
   const auto make = [&](auto kernel) -> std::unique_ptr<Energy> {
     return std::make_unique<BatchEnergy<decltype(kernel)>>(kernel, chosen, Evaluation::lanes);
   };

@@ -27,7 +27,7 @@ struct Textbook {
   Eigen::VectorXd gradient(const Points& x) const;
 };
 
-/// An energy that only has a value, so that its derivatives come from dual numbers.
+/// An energy that only has a value, so that its derivatives are found by automatic differentiation.
 std::unique_ptr<Energy> make_twin(const std::string& name, const std::string& filter);
 
 }  // namespace ringlet::test

@@ -72,7 +72,7 @@ struct WrongBending {
   S evaluate(const Stencil<S, 3>& x, const Rest<S>& rest, Filter filter,
              ElementOutputs<S, 3> outputs) const {
     Derivatives<S, 3> derivatives;
-    const S energy = evaluate_by_autodiff(*this, x, rest, derivatives.outputs());
+    const S energy = evaluate_by_autodiff<Curvature::exact>(*this, x, rest, derivatives.outputs());
     if (has(Mistake::sign)) {
       for (Vector3<S>& slope : derivatives.gradient) slope = -slope;
     }

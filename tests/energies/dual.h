@@ -3,17 +3,18 @@
 #include <array>
 #include <concepts>
 
-#include "core/angles.h"
-#include "core/elementary.h"
+#include "core/differentiable.h"
 
 namespace ringlet {
 
-/// A second-order forward dual number over S (double or Pack): a value with its gradient and
-/// Hessian, of which the lower triangle is kept, with respect to N variables. Where a function has
-/// no derivative (sqrt and abs at 0, atan2 at the origin), or none that a double can hold (sqrt
-/// below 1e-200), the derivative is taken as 0.
+/// The slow oracle of Traced: a second-order forward dual number over S (double or Pack): a value
+/// with its gradient and Hessian, of which the lower triangle is kept, with respect to N variables.
+/// Where a function has no derivative (sqrt and abs at 0, atan2 at the origin), or none that a
+/// double can hold (sqrt below 1e-200), the derivative is taken as 0.
 template <class S, int N>
 struct Dual {
+  using Scalar = S;
+
   S value;
   std::array<S, N> gradient;
   std::array<S, N*(N + 1) / 2> hessian;
@@ -102,63 +103,6 @@ Dual<S, N> select(const Condition& condition, const Dual<S, N>& a, const Dual<S,
     result.hessian[k] = select(condition, a.hessian[k], b.hessian[k]);
   }
   return result;
-}
-
-template <class S, int N>
-Dual<S, N> abs(const Dual<S, N>& a) {
-  const S sign = select(a.value < S(0), S(-1), select(a.value > S(0), S(1), S(0)));
-  return a.map(abs(a.value), sign, S(0));
-}
-template <class S, int N>
-Dual<S, N> min(const Dual<S, N>& a, const Dual<S, N>& b) {
-  return select(b.value < a.value, b, a);
-}
-template <class S, int N>
-Dual<S, N> max(const Dual<S, N>& a, const Dual<S, N>& b) {
-  return select(a.value < b.value, b, a);
-}
-
-template <class S, int N>
-Dual<S, N> sqrt(const Dual<S, N>& a) {
-  const S root = sqrt(a.value);
-  const auto singular = a.value < S(1e-200);
-  const S inverse = select(singular, S(0), S(S(1) / select(singular, S(1), root)));
-  return a.map(root, S(0.5) * inverse, S(-0.25) * inverse * inverse * inverse);
-}
-template <class S, int N>
-Dual<S, N> inverse_sqrt(const Dual<S, N>& a) {
-  const S root = inverse_sqrt(a.value), square = root * root;
-  return a.map(root, S(-0.5) * root * square, S(0.75) * root * square * square);
-}
-template <class S, int N>
-Dual<S, N> exp(const Dual<S, N>& a) {
-  const S f = exp(a.value);
-  return a.map(f, f, f);
-}
-template <class S, int N>
-Dual<S, N> log(const Dual<S, N>& a) {
-  const S inverse = S(1) / a.value;
-  return a.map(log(a.value), inverse, -inverse * inverse);
-}
-template <class S, int N>
-Dual<S, N> sin(const Dual<S, N>& a) {
-  const S f = sin(a.value);
-  return a.map(f, cos(a.value), -f);
-}
-template <class S, int N>
-Dual<S, N> cos(const Dual<S, N>& a) {
-  const S f = cos(a.value);
-  return a.map(f, -sin(a.value), -f);
-}
-template <class S, int N>
-Dual<S, N> tan(const Dual<S, N>& a) {
-  const S f = tan(a.value), first = S(1) + f * f;
-  return a.map(f, first, S(2) * f * first);
-}
-template <class S, int N>
-Dual<S, N> pow(const Dual<S, N>& a, double exponent) {
-  return a.map(pow(a.value, exponent), exponent * pow(a.value, exponent - 1),
-               exponent * (exponent - 1) * pow(a.value, exponent - 2));
 }
 
 template <class S, int N>

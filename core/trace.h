@@ -1,0 +1,478 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "core/pages.h"
+#include "core/vector3.h"
+
+namespace ringlet {
+
+/// What is wanted of a Hessian: all of it, or of each operation the positive semi-definite part.
+enum class Curvature { exact, positive };
+
+/// The operations that computed a number from N variables, with their derivatives: each keeps its
+/// gradient with respect to the variables, and its first and second derivatives with respect to
+/// its arguments. From these the Hessian H of one of them follows in one pass backwards, as a sum
+/// of few terms, one of low rank for each operation that is not linear (edge pushing; Gower, Mello:
+/// "A new framework for the computation of Hessians", Optimization Methods and Software 27, 2012):
+///
+///     H = sum over operations f(a, b) of w (f_aa grad a grad a^T + f_bb grad b grad b^T
+///                                           + f_ab (grad a grad b^T + grad b grad a^T)),
+///
+/// w being the derivative of that number with respect to the operation. With
+/// Curvature::positive each term is replaced by its positive semi-definite part (of the 2x2 matrix
+/// of w f_aa, w f_ab, w f_bb, its arguments scaled to gradients of equal length): a majorant of H,
+/// exact where w f'' is nowhere negative, and without an eigenvalue problem of the size of H.
+/// Operations of vectors are treated as a whole, so that it turns with the variables.
+template <class S, int N>
+class Trace {
+ public:
+  using Gradient = std::array<S, N>;
+  static constexpr int constant = -1;
+
+  /// Second derivatives of a function of two numbers.
+  struct Second {
+    S aa, ab, bb;
+  };
+  /// Arguments of an operation of two vectors; a component may be constant.
+  struct Vectors {
+    std::array<int, 3> a, b;
+    Vector3<S> a_value, b_value;
+  };
+
+  Trace() = default;
+  Trace(const Trace&) = delete;
+  Trace& operator=(const Trace&) = delete;
+
+  const Gradient& gradient(int node) const { return nodes_[node].gradient; }
+
+  /// Each returns the number of a new operation.
+  /// A coordinate of the sum of the first few 3-vectors of variables. Before all others.
+  [[gnu::always_inline]] int coordinate_of_sum(int vectors, int coordinate) {
+    Node& node = add(Operation::variable, constant, constant);
+    for (int i = 0; i < N; ++i) {
+      node.gradient[i] = S(i % 3 == coordinate && i / 3 < vectors ? 1 : 0);
+    }
+    variables_ = nodes_.size();
+    return last();
+  }
+  [[gnu::always_inline]] int sum(int a, int b) {
+    Node& node = add(Operation::sum, a, b);
+    const Gradient &ga = gradient(a), &gb = gradient(b);
+    for (int i = 0; i < N; ++i) node.gradient[i] = ga[i] + gb[i];
+    return last();
+  }
+  [[gnu::always_inline]] int difference(int a, int b) {
+    Node& node = add(Operation::difference, a, b);
+    const Gradient &ga = gradient(a), &gb = gradient(b);
+    for (int i = 0; i < N; ++i) node.gradient[i] = ga[i] - gb[i];
+    return last();
+  }
+  [[gnu::always_inline]] int scaled(int a, const S& factor) {
+    Node& node = add(Operation::scaled, a, constant);
+    node.first_a = factor;
+    const Gradient& ga = gradient(a);
+    for (int i = 0; i < N; ++i) node.gradient[i] = factor * ga[i];
+    return last();
+  }
+  int function(int a, const S& first, const S& second) {
+    const int node = scaled(a, first);
+    at(node).operation = Operation::function;
+    at(node).second.aa = second;
+    return node;
+  }
+  int function(int a, int b, const S& first_a, const S& first_b, const Second& second) {
+    if (a == constant) return function(b, first_b, second.bb);
+    if (b == constant) return function(a, first_a, second.aa);
+    if (a == b) return function(a, first_a + first_b, second.aa + 2.0 * second.ab + second.bb);
+    Node& node = add(Operation::function_of_two, a, b);
+    node.first_a = first_a;
+    node.first_b = first_b;
+    node.second = second;
+    const Gradient &ga = gradient(a), &gb = gradient(b);
+    for (int i = 0; i < N; ++i) node.gradient[i] = first_a * ga[i] + first_b * gb[i];
+    return last();
+  }
+  [[gnu::always_inline]] int product(int a, int b, const S& value_a, const S& value_b) {
+    if (a == b) return function(a, value_a + value_b, S(2));
+    Node& node = add(Operation::product, a, b);
+    node.first_a = value_b;
+    node.first_b = value_a;
+    const Gradient &ga = gradient(a), &gb = gradient(b);
+    for (int i = 0; i < N; ++i) node.gradient[i] = value_b * ga[i] + value_a * gb[i];
+    return last();
+  }
+  /// condition ? a : b, either of which may be constant.
+  template <class Condition>
+  int choice(const Condition& condition, int a, int b) {
+    Node& node = add(Operation::choice, a, b);
+    node.first_a = select(condition, S(1), S(0));
+    for (int i = 0; i < N; ++i) {
+      node.gradient[i] = select(condition, gradient_or_zero(a, i), gradient_or_zero(b, i));
+    }
+    has_choices_ = true;
+    return last();
+  }
+  int dot(const Vectors& arguments) {
+    Node& node = add(Operation::dot, keep(arguments), constant);
+    node.gradient.fill(S(0));
+    add_products(node, arguments.a, components(arguments.b_value));
+    add_products(node, arguments.b, components(arguments.a_value));
+    return last();
+  }
+  /// The first of three, the components.
+  int cross(const Vectors& arguments) {
+    const int index = keep(arguments);
+    const auto a = components(arguments.a_value), b = components(arguments.b_value);
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      Node& node = add(i == 0 ? Operation::cross : Operation::rest_of_vector, index, constant);
+      node.gradient.fill(S(0));
+      add_product(node, arguments.a[j], b[k]);
+      add_product(node, arguments.b[k], a[j]);
+      add_product(node, arguments.a[k], S(-b[j]));
+      add_product(node, arguments.b[j], S(-a[k]));
+    }
+    return last() - 2;
+  }
+
+  /// A vector, the first of the two arguments, times a number; the first of three.
+  int scaled_vector(int scale, const S& value, const Vectors& arguments) {
+    const int index = keep(arguments);
+    const auto a = components(arguments.a_value);
+    for (int i = 0; i < 3; ++i) {
+      Node& node = add(i == 0 ? Operation::scaled_vector : Operation::rest_of_vector, index, scale);
+      node.first_a = value;
+      node.gradient.fill(S(0));
+      add_product(node, arguments.a[i], value);
+      add_product(node, scale, a[i]);
+    }
+    return last() - 2;
+  }
+
+  /// Visits the 3x3 blocks of the Hessian of an operation: visit(row, column, block), row >=
+  /// column. Call once.
+  template <Curvature curvature, class Visit>
+  void for_each_block(int node, const Visit& visit) {
+    at(node).adjoint = S(1);
+    for (int n = node; n >= variables_; --n) go_back<curvature>(n);
+    [&]<int... rows>(std::integer_sequence<int, rows...>) { (visit_row<rows>(visit), ...); }
+    (std::make_integer_sequence<int, N / 3>());
+  }
+
+ private:
+  enum class Operation {
+    variable,
+    sum,
+    difference,
+    scaled,
+    function,
+    product,
+    function_of_two,
+    choice,
+    dot,
+    cross,
+    scaled_vector,
+    rest_of_vector
+  };
+  struct Node {
+    Operation operation;
+    int a, b;   ///< arguments; of an operation of vectors a is their number
+    S adjoint;  ///< w
+    S first_a, first_b;
+    Second second;
+    Gradient gradient;
+  };
+  using Triple = std::array<S, 3>;
+
+  static Triple components(const Vector3<S>& v) { return {v.x, v.y, v.z}; }
+
+  [[gnu::always_inline]] int last() const { return nodes_.size() - 1; }
+  [[gnu::always_inline]] Node& at(int node) { return nodes_[node]; }
+  [[gnu::always_inline]] const Node& at(int node) const { return nodes_[node]; }
+  [[gnu::always_inline]] Node& add(Operation operation, int a, int b) {
+    Node& node = nodes_.add();
+    node.operation = operation;
+    node.a = a;
+    node.b = b;
+    node.adjoint = S(0);
+    return node;
+  }
+  int keep(const Vectors& arguments) {
+    vectors_.add() = arguments;
+    return vectors_.size() - 1;
+  }
+  [[gnu::always_inline]] S gradient_or_zero(int node, int i) const {
+    return node == constant ? S(0) : at(node).gradient[i];
+  }
+  [[gnu::always_inline]] void add_product(Node& node, int argument, const S& factor) {
+    if (argument == constant) return;
+    const Gradient& of_argument = gradient(argument);
+    for (int i = 0; i < N; ++i) node.gradient[i] += factor * of_argument[i];
+  }
+  void add_products(Node& node, const std::array<int, 3>& arguments, const Triple& factors) {
+    for (int c = 0; c < 3; ++c) add_product(node, arguments[c], factors[c]);
+  }
+
+  /// Where nothing depends on an argument, its derivative must not matter, even if it is infinite.
+  [[gnu::always_inline]] S passed_on(const S& adjoint, const S& first) const {
+    return has_choices_ ? select(adjoint == S(0), S(0), S(adjoint * first)) : S(adjoint * first);
+  }
+  [[gnu::always_inline]] void pass(int argument, const S& adjoint) {
+    if (argument != constant) at(argument).adjoint += adjoint;
+  }
+
+  template <Curvature curvature>
+  void go_back(int n) {
+    const Node& node = at(n);
+    const S w = node.adjoint;
+    switch (node.operation) {
+      case Operation::variable:
+      case Operation::rest_of_vector:
+        return;
+      case Operation::sum:
+        pass(node.a, w);
+        pass(node.b, w);
+        return;
+      case Operation::difference:
+        pass(node.a, w);
+        pass(node.b, -w);
+        return;
+      case Operation::scaled:
+        pass(node.a, passed_on(w, node.first_a));
+        return;
+      case Operation::function:
+        pass(node.a, passed_on(w, node.first_a));
+        add_square(part<curvature>(passed_on(w, node.second.aa)), at(node.a).gradient);
+        return;
+      case Operation::product: {
+        pass(node.a, passed_on(w, node.first_a));
+        pass(node.b, passed_on(w, node.first_b));
+        const std::array<const Gradient*, 1> a{&at(node.a).gradient}, b{&at(node.b).gradient};
+        add_products<curvature>(w, a, b);
+        return;
+      }
+      case Operation::function_of_two:
+        pass(node.a, passed_on(w, node.first_a));
+        pass(node.b, passed_on(w, node.first_b));
+        add_function_of_two<curvature>(node);
+        return;
+      case Operation::choice:
+        pass(node.a, select(node.first_a > S(0), w, S(0)));
+        pass(node.b, select(node.first_a > S(0), S(0), w));
+        return;
+      case Operation::dot:
+        go_back_over_dot<curvature>(w, vectors_[node.a]);
+        return;
+      case Operation::cross:
+        go_back_over_cross<curvature>({w, at(n + 1).adjoint, at(n + 2).adjoint}, vectors_[node.a]);
+        return;
+      case Operation::scaled_vector:
+        go_back_over_scaled_vector<curvature>(n);
+        return;
+    }
+  }
+
+  template <Curvature curvature>
+  [[gnu::always_inline]] static S part(const S& weight) {
+    return curvature == Curvature::exact ? weight : S(max(weight, S(0)));
+  }
+
+  /// A term weight q q^T of the Hessian.
+  struct Square {
+    S weight;
+    const Gradient* q;
+  };
+  /// The gradient must stay where it is.
+  [[gnu::always_inline]] void add_square(const S& weight, const Gradient& q) {
+    if (!any(weight != S(0))) return;
+    Square& square = squares_.add();
+    square.weight = weight;
+    square.q = &q;
+    if (!has_choices_) return;
+    Gradient& used = made_.add();
+    for (int i = 0; i < N; ++i) used[i] = select(weight == S(0), S(0), q[i]);
+    square.q = &used;
+  }
+  template <int row, class Visit>
+  void visit_row(const Visit& visit) const {
+    std::array<Matrix3<S>, row + 1> blocks;
+    for (Matrix3<S>& block : blocks) block = Matrix3<S>::zero();
+    for (int t = 0; t < squares_.size(); ++t) {
+      const auto& [weight, q] = squares_[t];
+      for (int i = 0; i < 3; ++i) {
+        const S scaled = weight * (*q)[3 * row + i];
+        for (int j = 0; j <= 3 * row + i; ++j) blocks[j / 3].m[3 * i + j % 3] += scaled * (*q)[j];
+      }
+    }
+    for (int column = 0; column <= row; ++column) visit(row, column, blocks[column]);
+  }
+
+  [[gnu::always_inline]] static S squared(const Gradient& q) {
+    S sum = q[0] * q[0];
+    for (int i = 1; i < N; ++i) sum += q[i] * q[i];
+    return sum;
+  }
+  /// 1 / sqrt(a), and 0 of what is too small for that.
+  [[gnu::always_inline]] static S inverse_root_or_zero(const S& a) {
+    const auto vanishes = a < S(1e-280);
+    return select(vanishes, S(0), S(inverse_sqrt(select(vanishes, S(1), a))));
+  }
+
+  template <Curvature curvature>
+  void add_function_of_two(const Node& node) {
+    const Gradient &a = at(node.a).gradient, &b = at(node.b).gradient;
+    const Second h{passed_on(node.adjoint, node.second.aa), passed_on(node.adjoint, node.second.ab),
+                   passed_on(node.adjoint, node.second.bb)};
+    if (curvature == Curvature::exact) {
+      add_square(h.aa, a);
+      add_square(h.bb, b);
+      add_products<curvature>(h.ab, Rows<1>{&a}, Rows<1>{&b});
+      return;
+    }
+    // The eigenvectors of h for arguments that are scaled to gradients of length 1.
+    const S squared_a = squared(a), squared_b = squared(b);
+    const S inverse_a = inverse_root_or_zero(squared_a),
+            inverse_b = inverse_root_or_zero(squared_b);
+    const S aa = h.aa * squared_a, bb = h.bb * squared_b;
+    const S ab = h.ab * (squared_a * inverse_a) * (squared_b * inverse_b);
+    const S middle = S(0.5) * (aa + bb), half = S(0.5) * (aa - bb);
+    const S squared_radius = half * half + ab * ab;
+    const S radius = squared_radius * inverse_root_or_zero(squared_radius);
+    // (c, s) of the larger eigenvalue; the other one's is (-s, c).
+    const S longer = radius + abs(half);
+    const S inverse = inverse_root_or_zero(longer * longer + ab * ab);
+    const auto first = half > S(0) || radius == S(0);
+    const S c = select(radius == S(0), S(1), S(select(first, longer, ab) * inverse));
+    const S s = select(radius == S(0), S(0), S(select(first, ab, longer) * inverse));
+    Gradient &high = made_.add(), &low = made_.add();
+    for (int i = 0; i < N; ++i) {
+      const S of_a = inverse_a * a[i], of_b = inverse_b * b[i];
+      high[i] = c * of_a + s * of_b;
+      low[i] = c * of_b - s * of_a;
+    }
+    add_square(max(S(middle + radius), S(0)), high);
+    add_square(max(S(middle - radius), S(0)), low);
+  }
+
+  template <std::size_t M>
+  using Rows = std::array<const Gradient*, M>;
+
+  Rows<3> rows(const std::array<int, 3>& arguments) {
+    Rows<3> rows;
+    for (int c = 0; c < 3; ++c) {
+      rows[c] = arguments[c] == constant ? &zero() : &at(arguments[c]).gradient;
+    }
+    return rows;
+  }
+  const Gradient& zero() {
+    Gradient& zero = made_.add();
+    zero.fill(S(0));
+    return zero;
+  }
+  static bool is_constant(const std::array<int, 3>& v) {
+    return v[0] == constant && v[1] == constant && v[2] == constant;
+  }
+  template <std::size_t M>
+  static S squared(const Rows<M>& rows) {
+    S sum = squared(*rows[0]);
+    for (std::size_t c = 1; c < M; ++c) sum += squared(*rows[c]);
+    return sum;
+  }
+
+  template <Curvature curvature>
+  void go_back_over_dot(const S& w, const Vectors& v) {
+    const Triple a = components(v.a_value), b = components(v.b_value);
+    for (int c = 0; c < 3; ++c) {
+      pass(v.a[c], passed_on(w, b[c]));
+      pass(v.b[c], passed_on(w, a[c]));
+    }
+    if (is_constant(v.a) || is_constant(v.b)) return;
+    if (v.a != v.b) {
+      add_products<curvature>(w, rows(v.a), rows(v.b));
+      return;
+    }
+    for (const int node : v.a) {
+      if (node != constant) add_square(part<curvature>(S(2.0 * w)), at(node).gradient);
+    }
+  }
+  /// w sum over c of (p_c q_c^T + q_c p_c^T), which is w/2 sum of (alpha p_c + q_c / alpha)^2 -
+  /// (alpha p_c - q_c / alpha)^2, with both parts equally long. One of these two is its positive
+  /// part.
+  template <Curvature curvature, std::size_t M>
+  void add_products(const S& w, const Rows<M>& p, const Rows<M>& q) {
+    const S squared_p = squared(p), squared_q = squared(q);
+    const S ratio = squared_q * inverse_root_or_zero(squared_p * squared_q);
+    const S inverse = inverse_root_or_zero(ratio), of_p = ratio * inverse;
+    const S of_q = curvature == Curvature::exact ? inverse : S(copysign(inverse, w));
+    for (std::size_t c = 0; c < M; ++c) {
+      Gradient& sum = made_.add();
+      for (int i = 0; i < N; ++i) sum[i] = of_p * (*p[c])[i] + of_q * (*q[c])[i];
+      add_square(S(0.5) * (curvature == Curvature::exact ? w : S(abs(w))), sum);
+      if (curvature == Curvature::positive) continue;
+      Gradient& difference = made_.add();
+      for (int i = 0; i < N; ++i) difference[i] = of_p * (*p[c])[i] - of_q * (*q[c])[i];
+      add_square(S(-0.5) * w, difference);
+    }
+  }
+
+  /// With u, v and the direction of w orthonormal, w . (a x b) = |w| (a_u b_v - a_v b_u).
+  template <Curvature curvature>
+  void go_back_over_cross(const Triple& w, const Vectors& v) {
+    const Vector3<S> adjoint{w[0], w[1], w[2]};
+    const Triple to_a = components(ringlet::cross(v.b_value, adjoint));
+    const Triple to_b = components(ringlet::cross(adjoint, v.a_value));
+    for (int c = 0; c < 3; ++c) {
+      pass(v.a[c], to_a[c]);
+      pass(v.b[c], to_b[c]);
+    }
+    if (is_constant(v.a) || is_constant(v.b)) return;
+    const S squared_length = squared_norm(adjoint);
+    const S inverse = inverse_root_or_zero(squared_length);
+    const Vector3<S> axis =
+        select(inverse == S(0), Vector3<S>{S(1), S(0), S(0)}, inverse * adjoint);
+    const Vector3<S> first = any_normal(axis), second = ringlet::cross(axis, first);
+    const Rows<3> a = rows(v.a), b = rows(v.b);
+    const Gradient a_first = along(a, first), a_second = along(a, -second);
+    const Gradient b_first = along(b, first), b_second = along(b, second);
+    add_products<curvature>(S(squared_length * inverse), Rows<2>{&a_first, &a_second},
+                            Rows<2>{&b_second, &b_first});
+  }
+  /// w . (s a) has the second derivatives of s times the number w . a, w being fixed.
+  template <Curvature curvature>
+  void go_back_over_scaled_vector(int n) {
+    const Node& node = at(n);
+    const Vectors& v = vectors_[node.a];
+    const Triple w{node.adjoint, at(n + 1).adjoint, at(n + 2).adjoint};
+    const Triple a = components(v.a_value);
+    Gradient& along_w = made_.add();
+    along_w.fill(S(0));
+    for (int c = 0; c < 3; ++c) {
+      pass(v.a[c], passed_on(w[c], node.first_a));
+      pass(node.b, passed_on(w[c], a[c]));
+      if (v.a[c] == constant) continue;
+      for (int i = 0; i < N; ++i) along_w[i] += passed_on(w[c], at(v.a[c]).gradient[i]);
+    }
+    add_products<curvature>(S(1), Rows<1>{&at(node.b).gradient}, Rows<1>{&along_w});
+  }
+  [[gnu::always_inline]] static Gradient along(const Rows<3>& rows, const Vector3<S>& direction) {
+    Gradient sum;
+    for (int i = 0; i < N; ++i) {
+      sum[i] =
+          direction.x * (*rows[0])[i] + direction.y * (*rows[1])[i] + direction.z * (*rows[2])[i];
+    }
+    return sum;
+  }
+
+  // Most kernels need no more than these, which are on the stack.
+  Pages<Node, 64> nodes_;
+  Pages<Vectors, 8> vectors_;
+  Pages<Square, 64> squares_;
+  Pages<Gradient, 32> made_;  ///< for the squares
+  bool has_choices_ = false;
+  int variables_ = 0;
+};
+
+}  // namespace ringlet
