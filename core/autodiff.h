@@ -46,9 +46,10 @@ template <Curvature curvature, class Kernel, class S>
   for (int row = 0; row < K - 1; ++row) {
     outputs.add_gradient(row, {gradient[3 * row], gradient[3 * row + 1], gradient[3 * row + 2]});
   }
-  trace.template for_each_block<curvature>(
-      energy.node,
-      [&](int row, int column, const Matrix3<S>& block) { outputs.block(row, column) += block; });
+  trace.template hessian<curvature>(energy.node)
+      .for_each_block([&](int row, int column, const Matrix3<S>& block) {
+        outputs.block(row, column) += block;
+      });
   return energy.value;
 }
 

@@ -76,7 +76,8 @@ class KernelDerivatives {
   }
   /// All of it.
   template <class S>
-  [[gnu::flatten]] S evaluate(const Stencil<S, K>& x, const Rest<S>& rest, Derivatives<S, K>& derivatives) const {
+  [[gnu::flatten]] S evaluate(const Stencil<S, K>& x, const Rest<S>& rest,
+                              Derivatives<S, K>& derivatives) const {
     const S energy = with_kernel_filter(
         [&]<Filter filter>() { return evaluate_kernel<filter>(x, rest, derivatives.outputs()); });
     if (filters_numerically()) filter_eigenvalues(filter_, derivatives);

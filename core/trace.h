@@ -4,13 +4,9 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/pages.h"
-#include "core/vector3.h"
+#include "core/sum_of_squares.h"
 
 namespace ringlet {
-
-/// What is wanted of a Hessian: all of it, or of each operation the positive semi-definite part.
-enum class Curvature { exact, positive };
 
 /// The operations that computed a number from N variables, with their derivatives: each keeps its
 /// gradient with respect to the variables, and its first and second derivatives with respect to
@@ -32,10 +28,6 @@ class Trace {
   using Gradient = std::array<S, N>;
   static constexpr int constant = -1;
 
-  /// Second derivatives of a function of two numbers.
-  struct Second {
-    S aa, ab, bb;
-  };
   /// Arguments of an operation of two vectors; a component may be constant.
   struct Vectors {
     std::array<int, 3> a, b;
@@ -83,7 +75,7 @@ class Trace {
     at(node).second.aa = second;
     return node;
   }
-  int function(int a, int b, const S& first_a, const S& first_b, const Second& second) {
+  int function(int a, int b, const S& first_a, const S& first_b, const Second<S>& second) {
     if (a == constant) return function(b, first_b, second.bb);
     if (b == constant) return function(a, first_a, second.aa);
     if (a == b) return function(a, first_a + first_b, second.aa + 2.0 * second.ab + second.bb);
@@ -113,6 +105,7 @@ class Trace {
       node.gradient[i] = select(condition, gradient_or_zero(a, i), gradient_or_zero(b, i));
     }
     has_choices_ = true;
+    hessian_.mind_unused();
     return last();
   }
   int dot(const Vectors& arguments) {
@@ -152,14 +145,12 @@ class Trace {
     return last() - 2;
   }
 
-  /// Visits the 3x3 blocks of the Hessian of an operation: visit(row, column, block), row >=
-  /// column. Call once.
-  template <Curvature curvature, class Visit>
-  void for_each_block(int node, const Visit& visit) {
+  /// The Hessian of an operation. Call once; it lives as long as the trace.
+  template <Curvature curvature>
+  const SumOfSquares<S, N>& hessian(int node) {
     at(node).adjoint = S(1);
     for (int n = node; n >= variables_; --n) go_back<curvature>(n);
-    [&]<int... rows>(std::integer_sequence<int, rows...>) { (visit_row<rows>(visit), ...); }
-    (std::make_integer_sequence<int, N / 3>());
+    return hessian_;
   }
 
  private:
@@ -182,10 +173,12 @@ class Trace {
     int a, b;   ///< arguments; of an operation of vectors a is their number
     S adjoint;  ///< w
     S first_a, first_b;
-    Second second;
+    Second<S> second;
     Gradient gradient;
   };
   using Triple = std::array<S, 3>;
+  template <std::size_t M>
+  using Rows = typename SumOfSquares<S, N>::template Rows<M>;
 
   static Triple components(const Vector3<S>& v) { return {v.x, v.y, v.z}; }
 
@@ -245,19 +238,21 @@ class Trace {
         return;
       case Operation::function:
         pass(node.a, passed_on(w, node.first_a));
-        add_square(part<curvature>(passed_on(w, node.second.aa)), at(node.a).gradient);
+        hessian_.template add<curvature>(passed_on(w, node.second.aa), at(node.a).gradient);
         return;
-      case Operation::product: {
+      case Operation::product:
         pass(node.a, passed_on(w, node.first_a));
         pass(node.b, passed_on(w, node.first_b));
-        const std::array<const Gradient*, 1> a{&at(node.a).gradient}, b{&at(node.b).gradient};
-        add_products<curvature>(w, a, b);
+        hessian_.template add_products<curvature>(w, Rows<1>{&at(node.a).gradient},
+                                                  Rows<1>{&at(node.b).gradient});
         return;
-      }
       case Operation::function_of_two:
         pass(node.a, passed_on(w, node.first_a));
         pass(node.b, passed_on(w, node.first_b));
-        add_function_of_two<curvature>(node);
+        hessian_.template add_form<curvature>(
+            {passed_on(w, node.second.aa), passed_on(w, node.second.ab),
+             passed_on(w, node.second.bb)},
+            at(node.a).gradient, at(node.b).gradient);
         return;
       case Operation::choice:
         pass(node.a, select(node.first_a > S(0), w, S(0)));
@@ -275,91 +270,6 @@ class Trace {
     }
   }
 
-  template <Curvature curvature>
-  [[gnu::always_inline]] static S part(const S& weight) {
-    return curvature == Curvature::exact ? weight : S(max(weight, S(0)));
-  }
-
-  /// A term weight q q^T of the Hessian.
-  struct Square {
-    S weight;
-    const Gradient* q;
-  };
-  /// The gradient must stay where it is.
-  [[gnu::always_inline]] void add_square(const S& weight, const Gradient& q) {
-    if (!any(weight != S(0))) return;
-    Square& square = squares_.add();
-    square.weight = weight;
-    square.q = &q;
-    if (!has_choices_) return;
-    Gradient& used = made_.add();
-    for (int i = 0; i < N; ++i) used[i] = select(weight == S(0), S(0), q[i]);
-    square.q = &used;
-  }
-  template <int row, class Visit>
-  void visit_row(const Visit& visit) const {
-    std::array<Matrix3<S>, row + 1> blocks;
-    for (Matrix3<S>& block : blocks) block = Matrix3<S>::zero();
-    for (int t = 0; t < squares_.size(); ++t) {
-      const auto& [weight, q] = squares_[t];
-      for (int i = 0; i < 3; ++i) {
-        const S scaled = weight * (*q)[3 * row + i];
-        for (int j = 0; j <= 3 * row + i; ++j) blocks[j / 3].m[3 * i + j % 3] += scaled * (*q)[j];
-      }
-    }
-    for (int column = 0; column <= row; ++column) visit(row, column, blocks[column]);
-  }
-
-  [[gnu::always_inline]] static S squared(const Gradient& q) {
-    S sum = q[0] * q[0];
-    for (int i = 1; i < N; ++i) sum += q[i] * q[i];
-    return sum;
-  }
-  /// 1 / sqrt(a), and 0 of what is too small for that.
-  [[gnu::always_inline]] static S inverse_root_or_zero(const S& a) {
-    const auto vanishes = a < S(1e-280);
-    return select(vanishes, S(0), S(inverse_sqrt(select(vanishes, S(1), a))));
-  }
-
-  template <Curvature curvature>
-  void add_function_of_two(const Node& node) {
-    const Gradient &a = at(node.a).gradient, &b = at(node.b).gradient;
-    const Second h{passed_on(node.adjoint, node.second.aa), passed_on(node.adjoint, node.second.ab),
-                   passed_on(node.adjoint, node.second.bb)};
-    if (curvature == Curvature::exact) {
-      add_square(h.aa, a);
-      add_square(h.bb, b);
-      add_products<curvature>(h.ab, Rows<1>{&a}, Rows<1>{&b});
-      return;
-    }
-    // The eigenvectors of h for arguments that are scaled to gradients of length 1.
-    const S squared_a = squared(a), squared_b = squared(b);
-    const S inverse_a = inverse_root_or_zero(squared_a),
-            inverse_b = inverse_root_or_zero(squared_b);
-    const S aa = h.aa * squared_a, bb = h.bb * squared_b;
-    const S ab = h.ab * (squared_a * inverse_a) * (squared_b * inverse_b);
-    const S middle = S(0.5) * (aa + bb), half = S(0.5) * (aa - bb);
-    const S squared_radius = half * half + ab * ab;
-    const S radius = squared_radius * inverse_root_or_zero(squared_radius);
-    // (c, s) of the larger eigenvalue; the other one's is (-s, c).
-    const S longer = radius + abs(half);
-    const S inverse = inverse_root_or_zero(longer * longer + ab * ab);
-    const auto first = half > S(0) || radius == S(0);
-    const S c = select(radius == S(0), S(1), S(select(first, longer, ab) * inverse));
-    const S s = select(radius == S(0), S(0), S(select(first, ab, longer) * inverse));
-    Gradient &high = made_.add(), &low = made_.add();
-    for (int i = 0; i < N; ++i) {
-      const S of_a = inverse_a * a[i], of_b = inverse_b * b[i];
-      high[i] = c * of_a + s * of_b;
-      low[i] = c * of_b - s * of_a;
-    }
-    add_square(max(S(middle + radius), S(0)), high);
-    add_square(max(S(middle - radius), S(0)), low);
-  }
-
-  template <std::size_t M>
-  using Rows = std::array<const Gradient*, M>;
-
   Rows<3> rows(const std::array<int, 3>& arguments) {
     Rows<3> rows;
     for (int c = 0; c < 3; ++c) {
@@ -368,20 +278,14 @@ class Trace {
     return rows;
   }
   const Gradient& zero() {
-    Gradient& zero = made_.add();
+    Gradient& zero = hessian_.make();
     zero.fill(S(0));
     return zero;
   }
+  static auto is_zero(const Triple& w) { return w[0] == S(0) && w[1] == S(0) && w[2] == S(0); }
   static bool is_constant(const std::array<int, 3>& v) {
     return v[0] == constant && v[1] == constant && v[2] == constant;
   }
-  template <std::size_t M>
-  static S squared(const Rows<M>& rows) {
-    S sum = squared(*rows[0]);
-    for (std::size_t c = 1; c < M; ++c) sum += squared(*rows[c]);
-    return sum;
-  }
-
   template <Curvature curvature>
   void go_back_over_dot(const S& w, const Vectors& v) {
     const Triple a = components(v.a_value), b = components(v.b_value);
@@ -391,45 +295,25 @@ class Trace {
     }
     if (is_constant(v.a) || is_constant(v.b)) return;
     if (v.a != v.b) {
-      add_products<curvature>(w, rows(v.a), rows(v.b));
+      hessian_.template add_products<curvature>(w, rows(v.a), rows(v.b));
       return;
     }
     for (const int node : v.a) {
-      if (node != constant) add_square(part<curvature>(S(2.0 * w)), at(node).gradient);
+      if (node != constant) hessian_.template add<curvature>(2.0 * w, at(node).gradient);
     }
   }
-  /// w sum over c of (p_c q_c^T + q_c p_c^T), which is w/2 sum of (alpha p_c + q_c / alpha)^2 -
-  /// (alpha p_c - q_c / alpha)^2, with both parts equally long. One of these two is its positive
-  /// part.
-  template <Curvature curvature, std::size_t M>
-  void add_products(const S& w, const Rows<M>& p, const Rows<M>& q) {
-    const S squared_p = squared(p), squared_q = squared(q);
-    const S ratio = squared_q * inverse_root_or_zero(squared_p * squared_q);
-    const S inverse = inverse_root_or_zero(ratio), of_p = ratio * inverse;
-    const S of_q = curvature == Curvature::exact ? inverse : S(copysign(inverse, w));
-    for (std::size_t c = 0; c < M; ++c) {
-      Gradient& sum = made_.add();
-      for (int i = 0; i < N; ++i) sum[i] = of_p * (*p[c])[i] + of_q * (*q[c])[i];
-      add_square(S(0.5) * (curvature == Curvature::exact ? w : S(abs(w))), sum);
-      if (curvature == Curvature::positive) continue;
-      Gradient& difference = made_.add();
-      for (int i = 0; i < N; ++i) difference[i] = of_p * (*p[c])[i] - of_q * (*q[c])[i];
-      add_square(S(-0.5) * w, difference);
-    }
-  }
-
   /// With u, v and the direction of w orthonormal, w . (a x b) = |w| (a_u b_v - a_v b_u).
   template <Curvature curvature>
   void go_back_over_cross(const Triple& w, const Vectors& v) {
     const Vector3<S> adjoint{w[0], w[1], w[2]};
     const Triple to_a = components(ringlet::cross(v.b_value, adjoint));
     const Triple to_b = components(ringlet::cross(adjoint, v.a_value));
+    const S squared_length = squared_norm(adjoint);
     for (int c = 0; c < 3; ++c) {
-      pass(v.a[c], to_a[c]);
-      pass(v.b[c], to_b[c]);
+      pass(v.a[c], select(is_zero(w), S(0), to_a[c]));
+      pass(v.b[c], select(is_zero(w), S(0), to_b[c]));
     }
     if (is_constant(v.a) || is_constant(v.b)) return;
-    const S squared_length = squared_norm(adjoint);
     const S inverse = inverse_root_or_zero(squared_length);
     const Vector3<S> axis =
         select(inverse == S(0), Vector3<S>{S(1), S(0), S(0)}, inverse * adjoint);
@@ -437,8 +321,8 @@ class Trace {
     const Rows<3> a = rows(v.a), b = rows(v.b);
     const Gradient a_first = along(a, first), a_second = along(a, -second);
     const Gradient b_first = along(b, first), b_second = along(b, second);
-    add_products<curvature>(S(squared_length * inverse), Rows<2>{&a_first, &a_second},
-                            Rows<2>{&b_second, &b_first});
+    hessian_.template add_products<curvature>(
+        S(squared_length * inverse), Rows<2>{&a_first, &a_second}, Rows<2>{&b_second, &b_first});
   }
   /// w . (s a) has the second derivatives of s times the number w . a, w being fixed.
   template <Curvature curvature>
@@ -447,7 +331,7 @@ class Trace {
     const Vectors& v = vectors_[node.a];
     const Triple w{node.adjoint, at(n + 1).adjoint, at(n + 2).adjoint};
     const Triple a = components(v.a_value);
-    Gradient& along_w = made_.add();
+    Gradient& along_w = hessian_.make();
     along_w.fill(S(0));
     for (int c = 0; c < 3; ++c) {
       pass(v.a[c], passed_on(w[c], node.first_a));
@@ -455,7 +339,8 @@ class Trace {
       if (v.a[c] == constant) continue;
       for (int i = 0; i < N; ++i) along_w[i] += passed_on(w[c], at(v.a[c]).gradient[i]);
     }
-    add_products<curvature>(S(1), Rows<1>{&at(node.b).gradient}, Rows<1>{&along_w});
+    hessian_.template add_products<curvature>(select(is_zero(w), S(0), S(1)),
+                                              Rows<1>{&at(node.b).gradient}, Rows<1>{&along_w});
   }
   [[gnu::always_inline]] static Gradient along(const Rows<3>& rows, const Vector3<S>& direction) {
     Gradient sum;
@@ -469,8 +354,7 @@ class Trace {
   // Most kernels need no more than these, which are on the stack.
   Pages<Node, 64> nodes_;
   Pages<Vectors, 8> vectors_;
-  Pages<Square, 64> squares_;
-  Pages<Gradient, 32> made_;  ///< for the squares
+  SumOfSquares<S, N> hessian_;
   bool has_choices_ = false;
   int variables_ = 0;
 };

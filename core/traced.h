@@ -72,7 +72,7 @@ struct Traced {
   }
   /// f(*this, b), one of them at least not constant.
   Traced map(const Traced& b, const S& f, const S& first_a, const S& first_b,
-             const typename Trace<S, N>::Second& second) const {
+             const Second<S>& second) const {
     Trace<S, N>* const common = trace != nullptr ? trace : b.trace;
     return {f, common->function(node, b.node, first_a, first_b, second), common};
   }

@@ -53,8 +53,8 @@ class TipTrack final : public Observer {
     }
     for (const int strand : strands_) {
       if (strand < strands.count()) continue;
-      throw Error(fmt::format("tip_track: there is no strand {}; the scene has those from 0 to {}",
-                              strand, strands.count() - 1));
+      throw Error(fmt::format("there is no strand {}; the scene has those from 0 to {}", strand,
+                              strands.count() - 1));
     }
   }
 

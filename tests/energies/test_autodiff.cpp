@@ -105,11 +105,12 @@ Dual<S, variables> by_trace(const std::array<S, variables>& at, const Function& 
   Dual<S, variables> result(traced.value);
   if (traced.is_constant()) return result;
   result.gradient = trace.gradient(traced.node);
-  trace.template for_each_block<curvature>(traced.node, [&](int, int, const Matrix3<S>& block) {
-    for (int i = 0, k = 0; i < variables; ++i) {
-      for (int j = 0; j <= i; ++j, ++k) result.hessian[k] = block(i, j);
-    }
-  });
+  trace.template hessian<curvature>(traced.node)
+      .for_each_block([&](int, int, const Matrix3<S>& block) {
+        for (int i = 0, k = 0; i < variables; ++i) {
+          for (int j = 0; j <= i; ++j, ++k) result.hessian[k] = block(i, j);
+        }
+      });
   return result;
 }
 
@@ -185,13 +186,19 @@ TEST_CASE("a trace over packs is a trace in every lane") {
 TEST_CASE("what was not chosen does not matter to a trace, even if it is not finite") {
   const auto guarded = [](const auto& x, const auto& y, const auto& z) {
     using S = std::decay_t<decltype(x)>;
-    const S risky = x * y / (z - z * S(1)) * sqrt(y - y);
+    const S infinite = S(1) / (z - z * S(1));
+    const Vector3<S> v{x, y, z}, wild = infinite * cross(v, infinite * v);
+    const S risky = x * y * infinite * sqrt(y - y) + dot(wild, v);
     return select(x.value > 10, risky, S(x * y));
   };
-  const Number result = by_trace<Curvature::exact>(points[0], guarded);
-  CHECK(result.value == Approx(points[0][0] * points[0][1]));
-  CHECK(result.gradient == std::array<double, 3>{points[0][1], points[0][0], 0});
-  CHECK(result.hessian == std::array<double, 6>{0, 1, 0, 0, 0, 0});
+  const auto [a, b, c] = points[0];
+  const Number exact = by_trace<Curvature::exact>(points[0], guarded);
+  CHECK(exact.value == Approx(a * b));
+  CHECK(exact.gradient == std::array<double, 3>{b, a, 0});
+  CHECK((hessian(exact) - Eigen::Matrix3d{{0, 1, 0}, {1, 0, 0}, {0, 0, 0}}).norm() < 1e-14);
+  const Number positive = by_trace<Curvature::positive>(points[0], guarded);
+  CHECK(hessian(positive).allFinite());
+  CHECK(smallest_eigenvalue(hessian(positive)) > -1e-14);
 }
 
 TEST_CASE("a trace takes what has no derivative to have the derivative 0") {
