@@ -60,7 +60,8 @@ Json list_schema(Json items) { return {{"type", "array"}, {"items", std::move(it
 
 Json vector_schema(const KeyInfo& key) {
   Json schema = list_schema(number_schema(key));
-  schema["minItems"] = schema["maxItems"] = 3;
+  schema["minItems"] = 3;
+  schema["maxItems"] = 3;
   return schema;
 }
 
