@@ -19,11 +19,31 @@ double free_part_of_segments(const std::array<Eigen::Vector3d, 4>& from,
   for (auto& m : motion) m -= mean;
   const double longest =
       std::max(motion[0].norm(), motion[1].norm()) + std::max(motion[2].norm(), motion[3].norm());
+  Eigen::Vector3d apart = Eigen::Vector3d::Zero();  // from the second segment to the first
+  const auto at = [&](int i, double part) -> Eigen::Vector3d { return from[i] + part * motion[i]; };
   const auto distance = [&](double part) {
-    const auto at = [&](int i) { return from_eigen(from[i] + part * motion[i]); };
-    return std::sqrt(closest_points(at(0), at(1), at(2), at(3)).squared_distance);
+    const Eigen::Vector3d p = at(0, part), d = at(1, part) - p, q = at(2, part),
+                          e = at(3, part) - q;
+    const auto [s, t, squared_distance] =
+        closest_points(from_eigen(p), from_eigen(p + d), from_eigen(q), from_eigen(q + e));
+    apart = (p + s * d) - (q + t * e);
+    return std::sqrt(squared_distance);
   };
-  return free_part(longest, kept, distance);
+  // Along any direction the ends of the segments, which move linearly, bound their distance from
+  // below. Edges that slide past each other, however near, need one step of this.
+  const auto ahead = [&](double part, double left) {
+    const Eigen::Vector3d direction = apart.normalized();
+    double until = 1;
+    for (const int i : {0, 1}) {
+      for (const int j : {2, 3}) {
+        const double gap = direction.dot(at(i, part) - at(j, part));
+        const double rate = direction.dot(motion[i] - motion[j]);
+        if (rate < 0) until = std::min(until, part + (gap - left) / -rate);
+      }
+    }
+    return until;
+  };
+  return free_part(longest, kept, distance, ahead);
 }
 
 }  // namespace ringlet

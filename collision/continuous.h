@@ -24,22 +24,28 @@ inline constexpr double vanishing = 1e-6;
 /// distance(part), m, is the distance, or less than it, at a part of the motion. Steps through the
 /// motion by what the distance allows, as "Codimensional Incremental Potential Contact" does (Li,
 /// Kaufman, Jiang, SIGGRAPH 2021, section 5): never too far, without roots of polynomials. 0 if the
-/// distance is not above zero at first.
-template <class Distance>
-double free_part(double longest, const KeptGap& kept, const Distance& distance) {
+/// distance is not above zero at first. ahead(part, left) may know better than `longest`: a later
+/// part of the motion until which the distance, last asked for at `part`, stays above what is left.
+template <class Distance, class Ahead>
+double free_part(double longest, const KeptGap& kept, const Distance& distance,
+                 const Ahead& ahead) {
   constexpr double careful = 0.9;
   double part = 0, gap = distance(0.0);
   const double floor = kept.of(gap);
   while (gap > floor) {
     // Always a little, even from just above the floor.
-    const double advance = careful * (gap - careful * floor);
-    if (advance >= (1 - part) * longest) return 1;
-    const double next = part + advance / longest;
+    const double used = careful * (gap - careful * floor);
+    const double next = std::max(part + used / longest, ahead(part, gap - used));
+    if (next >= 1) return 1;
     if (next == part) return part;
     part = next;
     gap = distance(part);
   }
   return part;
+}
+template <class Distance>
+double free_part(double longest, const KeptGap& kept, const Distance& distance) {
+  return free_part(longest, kept, distance, [](double part, double) { return part; });
 }
 
 /// The same for the distance of two segments whose four vertices move along straight lines.

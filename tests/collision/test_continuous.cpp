@@ -58,6 +58,23 @@ TEST_CASE("two segments are free to move until they meet") {
   CHECK(free_part_of_segments(from, to, {1e-9}) == 1);
 }
 
+TEST_CASE("segments that slide past each other are free at once, however near they are") {
+  std::mt19937 random(57);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const double gap = std::pow(10.0, -3 - trial % 8);
+    const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), z = Eigen::Vector3d::UnitZ();
+    const auto in_plane = [&] {
+      Eigen::Vector3d p = random_point(random, 1);
+      p.z() = 0;
+      return p;
+    };
+    const Segments from{in_plane(), in_plane(), in_plane() + gap * z, in_plane() + gap * z};
+    Segments to = from;
+    for (auto& p : to) p += 0.1 * in_plane() + (&p < &to[2] ? 3.0 : 0.0) * x;
+    CHECK(free_part_of_segments(from, to, {1e-6, gap}) == 1);
+  }
+}
+
 TEST_CASE("within their free part, random segments stay apart") {
   const unsigned seed = 53;
   CAPTURE(seed);
