@@ -21,7 +21,8 @@ namespace ringlet {
 /// Curvature::positive each term is replaced by its positive semi-definite part (of the 2x2 matrix
 /// of w f_aa, w f_ab, w f_bb, its arguments scaled to gradients of equal length): a majorant of H,
 /// exact where w f'' is nowhere negative, and without an eigenvalue problem of the size of H.
-/// Operations of vectors are treated as a whole, so that it turns with the variables.
+/// Operations of vectors are treated as a whole, so that it turns with the variables, and functions
+/// of one operation alone as one function.
 template <class S, int N>
 class Trace {
  public:
@@ -38,47 +39,63 @@ class Trace {
   Trace(const Trace&) = delete;
   Trace& operator=(const Trace&) = delete;
 
-  const Gradient& gradient(int node) const { return nodes_[node].gradient; }
+  [[gnu::always_inline]] const Gradient& gradient(int n) {
+    Node& node = at(n);
+    if (!node.has_gradient) compute_gradient(node);
+    return node.gradient;
+  }
 
   /// Each returns the number of a new operation.
   /// A coordinate of the sum of the first few 3-vectors of variables. Before all others.
   [[gnu::always_inline]] int coordinate_of_sum(int vectors, int coordinate) {
-    Node& node = add(Operation::variable, constant, constant);
-    for (int i = 0; i < N; ++i) {
-      node.gradient[i] = S(i % 3 == coordinate && i / 3 < vectors ? 1 : 0);
-    }
+    add(Operation::variable, vectors, coordinate).has_gradient = false;
     variables_ = nodes_.size();
     return last();
   }
   [[gnu::always_inline]] int sum(int a, int b) {
+    if (base(a) == base(b)) {
+      return function_of_base(base(a), slope(a) + slope(b), curve(a) + curve(b));
+    }
     Node& node = add(Operation::sum, a, b);
     const Gradient &ga = gradient(a), &gb = gradient(b);
     for (int i = 0; i < N; ++i) node.gradient[i] = ga[i] + gb[i];
     return last();
   }
   [[gnu::always_inline]] int difference(int a, int b) {
+    if (base(a) == base(b)) {
+      return function_of_base(base(a), slope(a) - slope(b), curve(a) - curve(b));
+    }
     Node& node = add(Operation::difference, a, b);
     const Gradient &ga = gradient(a), &gb = gradient(b);
     for (int i = 0; i < N; ++i) node.gradient[i] = ga[i] - gb[i];
     return last();
   }
   [[gnu::always_inline]] int scaled(int a, const S& factor) {
-    Node& node = add(Operation::scaled, a, constant);
-    node.first_a = factor;
-    const Gradient& ga = gradient(a);
-    for (int i = 0; i < N; ++i) node.gradient[i] = factor * ga[i];
+    if (at(a).operation == Operation::function) {
+      return function_of_base(at(a).a, factor * at(a).first_a, factor * at(a).second.aa);
+    }
+    const S first = factor * slope(a);
+    const int of = base(a);
+    Node& node = add(Operation::scaled, of, constant);
+    node.first_a = first;
+    node.has_gradient = false;
     return last();
   }
-  int function(int a, const S& first, const S& second) {
-    const int node = scaled(a, first);
-    at(node).operation = Operation::function;
-    at(node).second.aa = second;
-    return node;
+  [[gnu::always_inline]] int function(int a, const S& first, const S& second) {
+    if (base(a) == a) return function_of_base(a, first, second);
+    const S slope_a = slope(a);
+    return function_of_base(base(a), first * slope_a,
+                            second * slope_a * slope_a + first * curve(a));
   }
   int function(int a, int b, const S& first_a, const S& first_b, const Second<S>& second) {
     if (a == constant) return function(b, first_b, second.bb);
     if (b == constant) return function(a, first_a, second.aa);
-    if (a == b) return function(a, first_a + first_b, second.aa + 2.0 * second.ab + second.bb);
+    if (base(a) == base(b)) {
+      const S sa = slope(a), sb = slope(b);
+      return function_of_base(base(a), first_a * sa + first_b * sb,
+                              second.aa * sa * sa + S(2) * second.ab * sa * sb +
+                                  second.bb * sb * sb + first_a * curve(a) + first_b * curve(b));
+    }
     Node& node = add(Operation::function_of_two, a, b);
     node.first_a = first_a;
     node.first_b = first_b;
@@ -88,7 +105,11 @@ class Trace {
     return last();
   }
   [[gnu::always_inline]] int product(int a, int b, const S& value_a, const S& value_b) {
-    if (a == b) return function(a, value_a + value_b, S(2));
+    if (base(a) == base(b)) {
+      const S slope_a = slope(a), slope_b = slope(b);
+      return function_of_base(base(a), value_b * slope_a + value_a * slope_b,
+                              value_b * curve(a) + value_a * curve(b) + S(2) * slope_a * slope_b);
+    }
     Node& node = add(Operation::product, a, b);
     node.first_a = value_b;
     node.first_b = value_a;
@@ -101,6 +122,9 @@ class Trace {
   int choice(const Condition& condition, int a, int b) {
     Node& node = add(Operation::choice, a, b);
     node.first_a = select(condition, S(1), S(0));
+    for (const int argument : {a, b}) {
+      if (argument != constant) gradient(argument);
+    }
     for (int i = 0; i < N; ++i) {
       node.gradient[i] = select(condition, gradient_or_zero(a, i), gradient_or_zero(b, i));
     }
@@ -148,7 +172,7 @@ class Trace {
   /// The Hessian of an operation. Call once; it lives as long as the trace.
   template <Curvature curvature>
   const SumOfSquares<S, N>& hessian(int node) {
-    at(node).adjoint = S(1);
+    pass(node, S(1));
     for (int n = node; n >= variables_; --n) go_back<curvature>(n);
     return hessian_;
   }
@@ -170,8 +194,10 @@ class Trace {
   };
   struct Node {
     Operation operation;
-    int a, b;   ///< arguments; of an operation of vectors a is their number
-    S adjoint;  ///< w
+    int a, b;           ///< arguments; of an operation of vectors a is their number
+    bool is_used;       ///< for what comes later
+    bool has_gradient;  ///< or not yet, of a function of one
+    S adjoint;          ///< w
     S first_a, first_b;
     Second<S> second;
     Gradient gradient;
@@ -190,8 +216,37 @@ class Trace {
     node.operation = operation;
     node.a = a;
     node.b = b;
+    node.is_used = false;
+    node.has_gradient = true;
     node.adjoint = S(0);
     return node;
+  }
+  void compute_gradient(Node& node) {
+    node.has_gradient = true;
+    if (node.operation == Operation::variable) {
+      for (int i = 0; i < N; ++i) node.gradient[i] = S(i % 3 == node.b && i / 3 < node.a ? 1 : 0);
+      return;
+    }
+    const Gradient& of_base = gradient(node.a);
+    for (int i = 0; i < N; ++i) node.gradient[i] = node.first_a * of_base[i];
+  }
+  /// A function of one operation that is no such function itself. Functions of it, and of several
+  /// of it, are again functions of it: they leave no trace but the last.
+  [[gnu::always_inline]] int function_of_base(int of, const S& first, const S& second) {
+    Node& node = add(Operation::function, of, constant);
+    node.first_a = first;
+    node.second.aa = second;
+    node.has_gradient = false;
+    return last();
+  }
+  [[gnu::always_inline]] bool is_of_one(int n) const {
+    return at(n).operation == Operation::function || at(n).operation == Operation::scaled;
+  }
+  [[gnu::always_inline]] int base(int n) const { return is_of_one(n) ? at(n).a : n; }
+  /// The derivatives with respect to the base.
+  [[gnu::always_inline]] S slope(int n) const { return is_of_one(n) ? at(n).first_a : S(1); }
+  [[gnu::always_inline]] S curve(int n) const {
+    return at(n).operation == Operation::function ? at(n).second.aa : S(0);
   }
   int keep(const Vectors& arguments) {
     vectors_.add() = arguments;
@@ -214,7 +269,9 @@ class Trace {
     return has_choices_ ? select(adjoint == S(0), S(0), S(adjoint * first)) : S(adjoint * first);
   }
   [[gnu::always_inline]] void pass(int argument, const S& adjoint) {
-    if (argument != constant) at(argument).adjoint += adjoint;
+    if (argument == constant) return;
+    at(argument).adjoint += adjoint;
+    at(argument).is_used = true;
   }
 
   template <Curvature curvature>
@@ -234,11 +291,12 @@ class Trace {
         pass(node.b, -w);
         return;
       case Operation::scaled:
-        pass(node.a, passed_on(w, node.first_a));
+        if (node.is_used) pass(node.a, passed_on(w, node.first_a));
         return;
       case Operation::function:
+        if (!node.is_used) return;
         pass(node.a, passed_on(w, node.first_a));
-        hessian_.template add<curvature>(passed_on(w, node.second.aa), at(node.a).gradient);
+        hessian_.template add<curvature>(passed_on(w, node.second.aa), gradient(node.a));
         return;
       case Operation::product:
         pass(node.a, passed_on(w, node.first_a));
