@@ -28,9 +28,9 @@ struct FilterChoice {
         .key("filter", &FilterChoice::filter, "", any_number(),
              "how the Hessian of an element is made positive semi-definite")
         .check([](FilterChoice& choice, const std::string& pointer, ParseContext& context) {
-          const Filter filter = choice.filter;
-          if (ClosedFormKernel<Kernel> || is_numeric(filter)) return;
-          if (filter == Filter::tight || filter == Filter::exact) return;
+          const Filter chosen = choice.filter;
+          if (ClosedFormKernel<Kernel> || is_numeric(chosen)) return;
+          if (chosen == Filter::tight || chosen == Filter::exact) return;
           context.problem(pointer_to(pointer, "filter"),
                           "it gives only its value; expected one of tight, exact, clamp, absolute");
         });
