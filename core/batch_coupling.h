@@ -72,7 +72,7 @@ class BatchCoupling final : public CouplingEnergy {
       Derivatives<Pack, K> derivatives;
       values[b] = element_.evaluate(positions, batches_[b], derivatives);
       for (int lane = 0; lane < lanes_of(b); ++lane) {
-        terms[b * lane_count + lane] = term(tuple(b, lane), derivatives, lane);
+        terms[b * lane_count + lane] = term(tuple(b, lane), lane_of(derivatives, lane));
       }
     });
     for (const TupleTerm& term : terms) couplings->add(term);
@@ -106,19 +106,10 @@ class BatchCoupling final : public CouplingEnergy {
   }
   /// From derivatives with respect to the differences x_{i+1} - x_i to those with respect to the
   /// vertices.
-  static TupleTerm term(const std::array<int, K>& vertices, const Derivatives<Pack, K>& packs,
-                        int lane) {
-    Derivatives<double, K> derivatives;
-    Eigen::Vector<double, 3 * (K - 1)> gradient;
-    for (int n = 0; n < K - 1; ++n) {
-      const Vector3<Pack>& g = packs.gradient[n];
-      gradient.template segment<3>(3 * n) = Eigen::Vector3d(g.x[lane], g.y[lane], g.z[lane]);
-    }
-    for (std::size_t b = 0; b < packs.blocks.size(); ++b) {
-      for (int m = 0; m < 9; ++m) derivatives.blocks[b].m[m] = packs.blocks[b].m[m][lane];
-    }
+  static TupleTerm term(const std::array<int, K>& vertices,
+                        const Derivatives<double, K>& derivatives) {
     const auto differences = edge_differences<K>();
-    const Eigen::Vector<double, 3 * K> g = differences.transpose() * gradient;
+    const Eigen::Vector<double, 3 * K> g = differences.transpose() * dense_gradient(derivatives);
     const Eigen::Matrix<double, 3 * K, 3 * K> h =
         differences.transpose() * dense_hessian(derivatives) * differences;
     TupleTerm term{K, {}, {}, {}};

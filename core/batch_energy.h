@@ -78,11 +78,7 @@ class BatchEnergy final : public Energy, public ElementFunction {
       Derivatives<double, K> derivatives;
       result.value = element_.evaluate(x, kernel().rest_of(stiffness, rest), derivatives);
       const auto differences = edge_differences<K>();
-      Eigen::Vector<double, 3 * (K - 1)> gradient;
-      for (int n = 0; n < K - 1; ++n) {
-        gradient.template segment<3>(3 * n) = to_eigen(derivatives.gradient[n]);
-      }
-      result.gradient = differences.transpose() * gradient;
+      result.gradient = differences.transpose() * dense_gradient(derivatives);
       result.hessian = differences.transpose() * dense_hessian(derivatives) * differences;
     }
     return result;

@@ -17,9 +17,19 @@ Schema<MaterialField> MaterialField::schema() {
       .key("tip_radius", &M::tip_radius, "m", positive(),
            "of the cross-section at the tip; that of the root if absent")
       .check([](M& material, const std::string& pointer, ParseContext& context) {
-        if (!material.tip_radius || material.radius.is_constant_along()) return;
-        context.problem(pointer_to(pointer, "tip_radius"),
-                        "not expected beside a radius that varies along the strands itself");
+        if (material.tip_radius && !material.radius.is_constant_along()) {
+          context.problem(pointer_to(pointer, "tip_radius"),
+                          "not expected beside a radius that varies along the strands itself");
+        }
+        // Where one number says it, an echo of the scene does so.
+        const Json modulus = Codec<Varying>::write(material.youngs_modulus);
+        const Json radius = Codec<Varying>::write(material.radius);
+        if (!material.shear_modulus && modulus.is_number()) {
+          const Material plain{.youngs_modulus = modulus.get<double>(),
+                               .poisson_ratio = material.poisson_ratio};
+          material.shear_modulus = plain.shear();
+        }
+        if (!material.tip_radius && radius.is_number()) material.tip_radius = radius.get<double>();
       });
 }
 

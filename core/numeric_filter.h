@@ -32,6 +32,29 @@ Eigen::Matrix<double, 3 * (K - 1), 3 * (K - 1)> dense_hessian(
   return result;
 }
 
+template <int K>
+Eigen::Vector<double, 3 * (K - 1)> dense_gradient(const Derivatives<double, K>& derivatives) {
+  Eigen::Vector<double, 3 * (K - 1)> result;
+  for (int n = 0; n < K - 1; ++n) {
+    result.template segment<3>(3 * n) = to_eigen(derivatives.gradient[n]);
+  }
+  return result;
+}
+
+/// One lane of many.
+template <int K>
+Derivatives<double, K> lane_of(const Derivatives<Pack, K>& packs, int lane) {
+  Derivatives<double, K> one;
+  for (int n = 0; n < K - 1; ++n) {
+    const Vector3<Pack>& g = packs.gradient[n];
+    one.gradient[n] = {g.x[lane], g.y[lane], g.z[lane]};
+  }
+  for (std::size_t b = 0; b < one.blocks.size(); ++b) {
+    for (int m = 0; m < 9; ++m) one.blocks[b].m[m] = packs.blocks[b].m[m][lane];
+  }
+  return one;
+}
+
 /// Filter::absolute by the eigenvalues of an exact Hessian over the vertices; any other filter
 /// clamps them. It costs a hundred times what a closed form costs. Compiled once for all K there
 /// are: it takes longer than the rest of a kernel.
@@ -42,10 +65,7 @@ void filter_eigenvalues(Filter filter, Derivatives<double, K>& derivatives);
 template <int K>
 void filter_eigenvalues(Filter filter, Derivatives<Pack, K>& derivatives) {
   for (int lane = 0; lane < lane_count; ++lane) {
-    Derivatives<double, K> one;
-    for (std::size_t b = 0; b < one.blocks.size(); ++b) {
-      for (int m = 0; m < 9; ++m) one.blocks[b].m[m] = derivatives.blocks[b].m[m][lane];
-    }
+    Derivatives<double, K> one = lane_of(derivatives, lane);
     filter_eigenvalues(filter, one);
     for (std::size_t b = 0; b < one.blocks.size(); ++b) {
       for (int m = 0; m < 9; ++m) derivatives.blocks[b].m[m][lane] = one.blocks[b].m[m];

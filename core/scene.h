@@ -47,7 +47,7 @@ struct Scene {
   RunParameters run;
   std::vector<Expectation> expect;
   std::string about;
-  std::string schema_address;
+  std::optional<std::string> schema_address;
 
   static Schema<Scene> schema();
   /// The effective scene, with every default written out.

@@ -45,7 +45,8 @@ class Trace {
     return node.gradient;
   }
 
-  /// Each returns the number of a new operation.
+  // Each of these returns the number of a new operation.
+
   /// A coordinate of the sum of the first few 3-vectors of variables. Before all others.
   [[gnu::always_inline]] int coordinate_of_sum(int vectors, int coordinate) {
     add(Operation::variable, vectors, coordinate).has_gradient = false;
@@ -71,15 +72,7 @@ class Trace {
     return last();
   }
   [[gnu::always_inline]] int scaled(int a, const S& factor) {
-    if (at(a).operation == Operation::function) {
-      return function_of_base(at(a).a, factor * at(a).first_a, factor * at(a).second.aa);
-    }
-    const S first = factor * slope(a);
-    const int of = base(a);
-    Node& node = add(Operation::scaled, of, constant);
-    node.first_a = first;
-    node.has_gradient = false;
-    return last();
+    return function_of_base(base(a), factor * slope(a), factor * curve(a));
   }
   [[gnu::always_inline]] int function(int a, const S& first, const S& second) {
     if (base(a) == a) return function_of_base(a, first, second);
@@ -182,7 +175,6 @@ class Trace {
     variable,
     sum,
     difference,
-    scaled,
     function,
     product,
     function_of_two,
@@ -196,7 +188,7 @@ class Trace {
     Operation operation;
     int a, b;           ///< arguments; of an operation of vectors a is their number
     bool is_used;       ///< for what comes later
-    bool has_gradient;  ///< or not yet, of a function of one
+    bool has_gradient;  ///< or not yet, of a variable or a function of one
     S adjoint;          ///< w
     S first_a, first_b;
     Second<S> second;
@@ -240,14 +232,12 @@ class Trace {
     return last();
   }
   [[gnu::always_inline]] bool is_of_one(int n) const {
-    return at(n).operation == Operation::function || at(n).operation == Operation::scaled;
+    return at(n).operation == Operation::function;
   }
   [[gnu::always_inline]] int base(int n) const { return is_of_one(n) ? at(n).a : n; }
   /// The derivatives with respect to the base.
   [[gnu::always_inline]] S slope(int n) const { return is_of_one(n) ? at(n).first_a : S(1); }
-  [[gnu::always_inline]] S curve(int n) const {
-    return at(n).operation == Operation::function ? at(n).second.aa : S(0);
-  }
+  [[gnu::always_inline]] S curve(int n) const { return is_of_one(n) ? at(n).second.aa : S(0); }
   int keep(const Vectors& arguments) {
     vectors_.add() = arguments;
     return vectors_.size() - 1;
@@ -289,9 +279,6 @@ class Trace {
       case Operation::difference:
         pass(node.a, w);
         pass(node.b, -w);
-        return;
-      case Operation::scaled:
-        if (node.is_used) pass(node.a, passed_on(w, node.first_a));
         return;
       case Operation::function:
         if (!node.is_used) return;

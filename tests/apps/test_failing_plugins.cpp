@@ -1,6 +1,9 @@
 // What a plugin throws in the middle of a run ends the run with its kind and name, whatever kind it
 // is of.
 
+#include <algorithm>
+
+#include "apps/scene_run.h"
 #include "collision/modules.h"
 #include "core/batch_coupling.h"
 #include "core/collider.h"
@@ -9,11 +12,13 @@
 #include "core/integrator.h"
 #include "core/modules.h"
 #include "core/motion.h"
+#include "core/observer.h"
 #include "core/pose.h"
 #include "core/simulation.h"
 #include "core/strand_source.h"
 #include "energies/modules.h"
 #include "solvers/modules.h"
+#include "tests/apps/program.h"
 #include "tests/catch.h"
 
 using namespace ringlet;
@@ -81,6 +86,14 @@ struct FailingCollider final : Collider {
   }
 };
 
+struct FailingWriter final : Observer {
+  void begin(const Model&, const State&, const std::filesystem::path&) override {}
+  void observe(const Model&, const State&, int step, const StepReport&) override {
+    if (step == 2) fail();
+  }
+  void end(const Model&, const State&, int) override {}
+};
+
 template <class Interface, class Failing>
 void add(Registry& registry) {
   registry.of<Interface>().template add<NoParameters>(
@@ -142,4 +155,23 @@ TEST_CASE("what a plugin throws in a run is told with its kind and name") {
   for (const auto& [pointer, value, kind] : cases) {
     CHECK(failure(pointer, value) == kind + " 'failing': out of luck");
   }
+}
+
+TEST_CASE("a writer that fails ends the run with its name; what was written so far stays") {
+  Registry registry;
+  register_core(registry);
+  register_energies(registry);
+  register_solvers(registry);
+  add<Observer, FailingWriter>(registry);
+  const Scene scene = read_scene(Json::parse(R"({"strands": {"type": "line", "vertices": 4},
+    "run": {"steps": 5, "write": ["failing"]}})"),
+                                 registry, "/");
+  Simulation simulation(scene);
+  const Workplace place;
+  const RunRecord record = SceneRun(scene, simulation, place.folder()).run("test", true);
+  CHECK(record.failure == "writer 'failing': out of luck");
+  CHECK(record.steps == 2);
+  const auto files = read_files(place.folder());
+  CHECK(std::count(files.at("metrics.csv").begin(), files.at("metrics.csv").end(), '\n') == 3);
+  CHECK_THAT(files.at("summary.json"), Catch::Contains("failed"));
 }

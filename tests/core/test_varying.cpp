@@ -98,6 +98,25 @@ TEST_CASE("a material may vary") {
   CHECK(strands.mass(3) == Approx(500 * circle_area(1.25e-3) * 2));
 }
 
+TEST_CASE("the echo of a material tells what one number says, and derives nothing else") {
+  Registry registry;
+  std::vector<Problem> problems;
+  ParseContext context{registry, "/", {}, problems};
+  const auto echo = [&](const Json& json) {
+    MaterialField material;
+    MaterialField::schema().read(json, "/material", context, material);
+    return MaterialField::schema().write(material);
+  };
+  const Json plain = echo({{"youngs_modulus", 6.0}, {"poisson_ratio", 0.5}, {"radius", 2.0}});
+  CHECK(plain["shear_modulus"] == 2.0);
+  CHECK(plain["tip_radius"] == 2.0);
+  const Json varying =
+      echo({{"youngs_modulus", {{"by_strand", {6, 7}}}}, {"radius", {{"root_to_tip", {2, 1}}}}});
+  CHECK(varying["shear_modulus"].is_null());
+  CHECK(varying["tip_radius"].is_null());
+  CHECK(problems.empty());
+}
+
 TEST_CASE("a radius that varies along the strands has no other taper") {
   Registry registry;
   std::vector<Problem> problems;
