@@ -23,13 +23,14 @@ Schema<MaterialField> MaterialField::schema() {
         }
         // Where one number says it, an echo of the scene does so.
         const Json modulus = Codec<Varying>::write(material.youngs_modulus);
-        const Json radius = Codec<Varying>::write(material.radius);
+        const Json root_radius = Codec<Varying>::write(material.radius);
         if (!material.shear_modulus && modulus.is_number()) {
           const Material plain{.youngs_modulus = modulus.get<double>(),
                                .poisson_ratio = material.poisson_ratio};
           material.shear_modulus = plain.shear();
         }
-        if (!material.tip_radius && radius.is_number()) material.tip_radius = radius.get<double>();
+        if (!material.tip_radius && root_radius.is_number())
+          material.tip_radius = root_radius.get<double>();
       });
 }
 
