@@ -1,13 +1,17 @@
 # Sourced by apps/run.sh and tests/run.sh: `ringlet_setup` installs what is missing and configures
-# build/release, both only where needed; `ringlet_setup page` also installs what reports need.
+# build/release, both only where needed; `ringlet_setup page` also installs what pages and pictures need.
 
 ringlet_root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 ringlet_build="$ringlet_root/build/release"
 ringlet_packages=(g++ cmake ninja-build libeigen3-dev libtbb-dev libspdlog-dev nlohmann-json3-dev
                   catch2 libfcl-dev zlib1g-dev python3-jsonschema)
-# With these the page of reports is bundled; without them everything else is built. They are many
-# small packages, so only `ringlet_setup page` installs them. Whoever has npm from elsewhere keeps it.
-ringlet_page_packages=(nodejs npm)
+# With Node and npm the pages of reports and studies are bundled, with gnuplot pictures of studies are
+# drawn; without them everything else is built and runs. They are many small packages, so only
+# `ringlet_setup page` installs them. Whoever has them from elsewhere keeps those.
+ringlet_missing_page_packages() {
+  command -v npm >/dev/null || printf '%s\n' nodejs npm
+  command -v gnuplot >/dev/null || echo gnuplot-nox
+}
 
 ringlet_missing_packages() {
   local package
@@ -22,15 +26,15 @@ ringlet_install() {
   if ! command -v apt-get >/dev/null || ! command -v dpkg >/dev/null; then
     echo "This system has no apt. What must be installed: a C++20 compiler (g++ 12 or newer)," \
          "CMake 3.25, Ninja, Eigen 3.4, oneTBB, spdlog, nlohmann_json 3.11, FCL 0.7, zlib and" \
-         "Catch2; for the page of reports also Node 18 and npm, for a test of the" \
-         "scenes' schema Python 3 with jsonschema." \
+         "Catch2; for the pages of reports and studies also Node 18 and npm, for pictures of" \
+         "studies gnuplot, for a test of the scenes' schema Python 3 with jsonschema." \
          "Going on with what CMake finds." >&2
     return
   fi
   local missing
   mapfile -t missing < <(ringlet_missing_packages)
   local page=()
-  if [ "${1:-}" = page ] && ! command -v npm >/dev/null; then page=("${ringlet_page_packages[@]}"); fi
+  if [ "${1:-}" = page ]; then mapfile -t page < <(ringlet_missing_page_packages); fi
   if [ "${#missing[@]}" -eq 0 ] && [ "${#page[@]}" -eq 0 ]; then return; fi
   local sudo=()
   if [ "$(id -u)" -ne 0 ]; then
@@ -47,7 +51,8 @@ ringlet_install() {
   "${sudo[@]}" apt-get update -q
   if [ "${#missing[@]}" -gt 0 ]; then "${install[@]}" "${missing[@]}"; fi
   if [ "${#page[@]}" -gt 0 ]; then
-    "${install[@]}" "${page[@]}" || echo "Going on without ${page[*]}: there will be no report." >&2
+    "${install[@]}" "${page[@]}" ||
+      echo "Going on without ${page[*]}: there may be no pages or pictures." >&2
     rm -f "$ringlet_build/build.ninja"  # so that CMake looks for them again
   fi
 }

@@ -6,7 +6,7 @@
 
 #include "apps/commands/command.h"
 #include "apps/exit_codes.h"
-#include "apps/report/page.h"
+#include "apps/pages/page_templates.h"
 #include "core/atomic_file.h"
 #include "core/load_plugin.h"
 #include "core/scene.h"
@@ -31,7 +31,7 @@ void load_plugins_if_there(const fs::path& folder, Registry& registry) {
 
 int write_report(Registry& registry, const Arguments& arguments) {
   const fs::path folder = *arguments.operand(0);
-  const std::string page = page_template();
+  const std::string page = report_page_template();
   load_plugins_if_there(folder, registry);
   const std::int64_t megabytes = arguments.integer("--megabytes", 1).value_or(default_megabytes);
   const Report report = make_report(folder, page, megabytes * 1000000, registry);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/pages/fill_page.h"
 #include "apps/report/colliders.h"
 #include "apps/report/contact_forces.h"
 #include "apps/report/metrics_table.h"
@@ -80,14 +81,6 @@ double radius_around(const std::array<double, 3>& centre,
   return std::sqrt(squared_radius);
 }
 
-/// As the content of an element <script>, which a "</" would end.
-std::string script(const std::string& attributes, std::string text) {
-  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
-    text.replace(at, 1, "\\u003c");
-  }
-  return "<script " + attributes + ">" + text + "</script>\n";
-}
-
 /// The texts of some frames at a time: positions, and contact forces if there are any.
 std::string pack_all(const ShownFrames& frames, const Quantisation& box, double largest_contact) {
   std::string text;
@@ -95,12 +88,14 @@ std::string pack_all(const ShownFrames& frames, const Quantisation& box, double 
     const std::size_t end = std::min(begin + frames_a_packet, frames.positions.size());
     std::vector<std::vector<std::uint16_t>> packet;
     for (std::size_t i = begin; i < end; ++i) packet.push_back(box.quantise(frames.positions[i]));
-    text += script("class=\"frames\" type=\"text/plain\"", pack_frames(packet, frames.first));
+    text +=
+        script_element("class=\"frames\" type=\"text/plain\"", pack_frames(packet, frames.first));
     if (frames.contacts.empty()) continue;
-    text += script("class=\"contacts\" type=\"text/plain\"",
-                   pack_contacts({frames.contacts.begin() + static_cast<std::ptrdiff_t>(begin),
-                                  frames.contacts.begin() + static_cast<std::ptrdiff_t>(end)},
-                                 largest_contact));
+    text +=
+        script_element("class=\"contacts\" type=\"text/plain\"",
+                       pack_contacts({frames.contacts.begin() + static_cast<std::ptrdiff_t>(begin),
+                                      frames.contacts.begin() + static_cast<std::ptrdiff_t>(end)},
+                                     largest_contact));
   }
   return text;
 }
@@ -172,13 +167,10 @@ Report make_report(const fs::path& folder, const std::string& page, std::int64_t
         {"centre", box.centre()},
         {"radius", radius_around(box.centre(), frames.positions)}}}};
 
-  const std::string mark = "<!--DATA-->";
-  const std::size_t at = page.find(mark);
-  if (at == std::string::npos) throw Error("the page has no mark " + mark);
-  report.html = page.substr(0, at) +
-                script("id=\"record\" type=\"application/json\"",
-                       record.dump(-1, ' ', false, Json::error_handler_t::replace)) +
-                pack_all(frames, box, largest_contact) + page.substr(at + mark.size());
+  report.html =
+      fill_page(page, script_element("id=\"record\" type=\"application/json\"",
+                                     record.dump(-1, ' ', false, Json::error_handler_t::replace)) +
+                          pack_all(frames, box, largest_contact));
   return report;
 }
 

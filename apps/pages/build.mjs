@@ -1,17 +1,15 @@
-// Bundles the page into one HTML file, with a mark where the program writes a run, as C++:
-//   node build.mjs OUT.cpp
+// Bundles a page into one HTML file, with a mark where the program writes its data, as the C++
+// function NAME_page_template():
+//   node build.mjs NAME SOURCES OUT.cpp
 import { build } from 'esbuild';
 import { readFileSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { join } from 'node:path';
 
-const here = dirname(fileURLToPath(import.meta.url));
-const [out] = process.argv.slice(2);
+const [name, sources, out] = process.argv.slice(2);
 
 const { outputFiles } = await build({
-  absWorkingDir: here,
-  entryPoints: ['src/main.js'],
-  outdir: join(dirname(out), 'bundle'),
+  entryPoints: [join(sources, 'src/main.js')],
+  outdir: 'bundle',
   bundle: true,
   write: false,
   minify: true,
@@ -23,7 +21,7 @@ const { outputFiles } = await build({
 const text = (ending) => outputFiles.find((file) => file.path.endsWith(ending)).text;
 
 // Functions, since a $ in a replacement would mean something; </ would end the element.
-const page = readFileSync(join(here, 'index.html'), 'utf8')
+const page = readFileSync(join(sources, 'index.html'), 'utf8')
   .replace('/*STYLE*/', () => text('.css'))
   .replace('/*SCRIPT*/', () => text('.js').replaceAll('</script', '<\\/script'));
 
@@ -38,11 +36,11 @@ function literals(whole, length = 8000) {
 }
 
 writeFileSync(out, `// Written by build.mjs.
-#include "apps/report/page.h"
+#include "apps/pages/page_templates.h"
 
 namespace ringlet {
 
-std::string page_template() {
+std::string ${name}_page_template() {
   std::string page;
   for (const char* piece : {
 ${literals(page)}
