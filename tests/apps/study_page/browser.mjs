@@ -127,6 +127,7 @@ async function trySelection(page) {
   await page.keyboard.press('Enter');
   assert.equal(await page.locator('#table tbody tr.selected').count(), 2);
   const focused = await page.evaluate(() => document.activeElement.getAttribute('aria-label'));
+  assert.equal(focused, await page.locator('.point').nth(1).getAttribute('aria-label'));
   assert.equal(await page.locator('#tooltip strong').textContent(), focused.split(': ')[0]);
   assert.match(await page.textContent('#tooltip'), /memory at most.*MB/);
 }

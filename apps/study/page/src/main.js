@@ -95,7 +95,9 @@ function showLegend(appearance) {
 
 function drawPlots() {
   const appearance = new Appearance(at('colour').value, at('symbol').value);
-  scatter.draw(quantity, appearance);
+  const unlabelled = scatter.draw(quantity, appearance);
+  at('unlabelled').textContent = unlabelled > 0
+    ? `There is no room for ${counted(unlabelled, 'label', 'labels')}; the table marks the front.` : '';
   lines.draw(quantity);
   showLegend(appearance);
 }

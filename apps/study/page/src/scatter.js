@@ -2,12 +2,12 @@ import { axisBottom, axisLeft } from 'd3-axis';
 import { select } from 'd3-selection';
 import { symbol } from 'd3-shape';
 
+import { lineColours } from './appearance.js';
 import { byName, results, variants } from './embedded.js';
 import { quantity as words, status } from './format.js';
 import { boxesAlong, placeLabels } from './labels.js';
 import { logScale, logTicks } from './log_axis.js';
 import { frontOf, placeOf } from './quantities.js';
-import { lineColours } from './appearance.js';
 
 const margin = { top: 16, right: 20, bottom: 46, left: 78 };
 const bandHeight = 30;
@@ -76,7 +76,7 @@ function drawSpreads(svg, frame, shown) {
     .attr('y1', (v) => frame.at(v).y).attr('y2', (v) => frame.at(v).y);
 }
 
-/** The front's line and the labels of its points and of the default. */
+/** The front's line and the labels of its points and of the default; tells how many have no room. */
 function drawFront(svg, frame, shown, quantity) {
   const front = frontOf(quantity).map((name) => byName.get(name))
     .filter((v) => v && ['plot', 'zero'].includes(placeOf(v, quantity)));
@@ -85,15 +85,16 @@ function drawFront(svg, frame, shown, quantity) {
     .attr('d', places.length > 1 ? `M${places.map((p) => `${p.x},${p.y}`).join('L')}` : null);
   const isDefault = (variant) => variant.name === results.default;
   const standing = shown.find((v) => isDefault(v) && placeOf(v, quantity) !== 'list');
-  const named = [...(standing ? [standing] : []), ...front.filter((v) => v !== standing)];
+  // What comes first finds room first.
+  const named = [...new Set([standing, front.at(-1), ...front])].filter((v) => v);
   const labels = named.map((variant) => {
     const text = labelOf(variant, named) + (isDefault(variant) ? ' (default)' : '');
     return { variant, text, ...frame.at(variant), width: textWidth(text), height: 15 };
   });
   const dots = shown.map(frame.at).map(({ x, y }) => ({ x: x - 6, y: y - 6, width: 12, height: 12 }));
-  const bounds = { x: 2, y: 2, width: frame.right + margin.right - 4, height: frame.bottom - 4 };
-  const axisLabels = { x: 0, y: 0, width: frame.left - 4, height: frame.height };
-  const boxes = placeLabels(labels, [...dots, ...boxesAlong(places), axisLabels], bounds);
+  const bounds = { x: frame.left, y: frame.top, width: frame.right + margin.right - frame.left - 2,
+                   height: frame.bottom - frame.top };
+  const boxes = placeLabels(labels, [...dots, ...boxesAlong(places)], bounds);
   const placed = labels.map((label, i) => ({ ...label, box: boxes[i] })).filter(({ box }) => box);
   svg.append('g').selectAll('line').data(placed).join('line').attr('class', 'leader')
     .attr('x1', ({ x }) => x).attr('y1', ({ y }) => y)
@@ -101,6 +102,7 @@ function drawFront(svg, frame, shown, quantity) {
     .attr('y2', ({ y, box }) => Math.min(Math.max(y, box.y), box.y + box.height));
   svg.append('g').selectAll('text').data(placed).join('text').attr('class', 'label')
     .attr('x', ({ box }) => box.x + 1).attr('y', ({ box }) => box.y + 12).text(({ text }) => text);
+  return labels.length - placed.length;
 }
 
 /** Error against time: a symbol a variant, of which one is reached by Tab and others by arrow keys. */
@@ -118,6 +120,7 @@ export class Scatter {
     selection.addEventListener('change', () => this.#mark());
   }
 
+  /** Tells how many labels have no room. */
   draw(quantity, appearance) {
     const width = Math.max(320, this.#parent.clientWidth);
     const height = Math.round(Math.min(620, Math.max(380, 0.62 * width)));
@@ -129,9 +132,10 @@ export class Scatter {
     if (frame.hasStrip) drawBand(svg, frame, frame.top - bandHeight, 'no value');
     if (frame.hasZero) drawBand(svg, frame, frame.bottom, 'zero');
     drawSpreads(svg, frame, shown);
-    drawFront(svg, frame, shown, quantity);
+    const unlabelled = drawFront(svg, frame, shown, quantity);
     this.#drawPoints(svg, frame, shown, quantity, appearance);
     this.#mark();
+    return unlabelled;
   }
 
   #drawPoints(svg, frame, shown, quantity, appearance) {
