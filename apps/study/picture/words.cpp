@@ -76,7 +76,7 @@ std::string key_line(const PictureData& data, std::size_t which, double y) {
   const PictureAxis& axis = data.axes[which];
   const std::vector<std::string> colours = colours_for(axis.values);
   std::string script = label_command(shortened(axis.title, 26), left, y, 11);
-  double x = left + 190;
+  double x = left + 230;
   for (const std::size_t index : thinned(axis.values.size(), most_entries)) {
     const std::string text = shortened(axis.values[index], 18);
     const bool by_colour = which == 0;

@@ -163,6 +163,7 @@ export class Scatter {
       .attr('d', (v) => symbol(appearance.symbol(v), v.name === results.default ? 130 : 75)())
       .style('stroke', appearance.colour.bind(appearance))
       .style('fill', (v) => (hollow(v) ? 'var(--panel)' : appearance.colour(v)));
+    this.#points.filter((v) => v.name === results.default).raise();
   }
 
   #point(variant, x, y) {
