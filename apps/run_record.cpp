@@ -40,18 +40,32 @@ Json list_results(const std::vector<ExpectationResult>& results) {
   return list;
 }
 
+/// What the scene pays for.
+Json list_modules(const std::vector<ModuleCost>& modules) {
+  Json list = Json::array();
+  for (const ModuleCost& module : modules) {
+    Json entry{{"kind", module.kind}};
+    if (!module.name.empty()) entry["name"] = module.name;
+    if (module.left_out) {
+      entry["left_out"] = "it is zero wherever the strands are";
+    } else {
+      entry["seconds"] = module.seconds;
+      entry["bytes"] = module.bytes;
+    }
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
 }  // namespace
 
 void RunRecord::add(const StepReport& report, double duration) {
   ++steps;
   step_seconds += duration;
-  seconds.detect += report.seconds.detect;
-  seconds.couple += report.seconds.couple;
-  seconds.evaluate += report.seconds.evaluate;
-  seconds.solve += report.seconds.solve;
-  seconds.line_search += report.seconds.line_search;
+  seconds += report.seconds;
   newton_caps += report.newton_converged ? 0 : 1;
   linear_caps += report.linear_converged ? 0 : 1;
+  error_caps += report.local_error_met ? 0 : 1;
 }
 
 bool RunRecord::met_expectations() const {
@@ -70,10 +84,12 @@ Json summarise(const RunRecord& record, const Simulation& simulation) {
                {"steps_per_second", record.steps > 0 ? record.steps / record.wall_seconds : 0.0},
                {"milliseconds", milliseconds(record)},
                {"steps_newton_not_converged", record.newton_caps},
-               {"steps_linear_not_converged", record.linear_caps}};
+               {"steps_linear_not_converged", record.linear_caps},
+               {"steps_local_error_not_met", record.error_caps}};
   summary.update(size_of(simulation.model()));
   const std::string account = simulation.model().solver->account();
   if (!account.empty()) summary["solver"] = account;
+  summary["modules"] = list_modules(record.modules);
   summary["peak_memory_bytes"] = peak_memory_bytes();
   summary.update(describe_machine());
   summary["expect"] = list_results(record.expectations);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "apps/expectations.h"
+#include "core/module_costs.h"
 #include "core/parameters.h"
 #include "core/simulation.h"
 
@@ -19,9 +20,11 @@ struct RunRecord {
   StageSeconds seconds;
   int newton_caps = 0;  ///< steps in which Newton's method hit its cap
   int linear_caps = 0;  ///< steps in which a linear solve hit its cap
+  int error_caps = 0;   ///< steps whose local error was larger than the integrator's tolerance
   bool interrupted = false;
   std::string failure;  ///< not empty: the run failed
   std::vector<ExpectationResult> expectations;
+  std::vector<ModuleCost> modules;  ///< of the simulation, then of the writers
 
   void add(const StepReport& report, double seconds);
   bool met_expectations() const;

@@ -27,7 +27,8 @@ SceneRun::SceneRun(const Scene& scene, Simulation& simulation, std::filesystem::
     : scene_(scene),
       simulation_(simulation),
       folder_(std::move(folder)),
-      metrics_(list_metrics(energy_names(simulation.model()))),
+      metrics_(list_metrics(energy_names(simulation.model()),
+                            left_out_energy_names(simulation.model()))),
       metrics_file_(folder_ / "metrics.csv", metrics_) {
   write_json(folder_ / "scene.resolved.json", scene.resolved());
   for (const auto& writer : scene.run.write) {
@@ -55,6 +56,8 @@ RunRecord SceneRun::run(const std::string& name, bool quiet) {
   for (const Expectation& expectation : scene_.expect) {
     if (expectation.step > record.steps) record.expectations.push_back({expectation, {}});
   }
+  record.modules = list_costs(simulation_);
+  for (const auto& observer : observers_) record.modules.push_back(cost_of(*observer));
   write_json(folder_ / "summary.json", summarise(record, simulation_));
   return record;
 }

@@ -233,4 +233,11 @@ void ColliderContacts::evaluate_batch(const Batch& batch, const VertexField& x,
   }
 }
 
+std::size_t ColliderContacts::bytes() const {
+  std::size_t sum =
+      bytes_of(near_) + bytes_of(vertices_) + bytes_of(collider_of_) + bytes_of(batches_);
+  for (const auto& collider : colliders_) sum += collider->bytes();
+  return sum;
+}
+
 }  // namespace ringlet

@@ -53,6 +53,8 @@ class ColliderContacts {
   /// Which candidates touch at x.
   void evaluate(const VertexField& x, Touching& touching) const;
 
+  std::size_t bytes() const;
+
  private:
   /// Candidates that a collider is asked about together.
   struct Batch {

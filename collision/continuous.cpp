@@ -38,7 +38,9 @@ double free_part_of_segments(const std::array<Eigen::Vector3d, 4>& from,
       for (const int j : {2, 3}) {
         const double gap = direction.dot(at(i, part) - at(j, part));
         const double rate = direction.dot(motion[i] - motion[j]);
-        if (rate < 0) until = std::min(until, part + (gap - left) / -rate);
+        // Rounding has turned the direction too far for it to say anything.
+        if (gap < left) return part;
+      if (rate < 0) until = std::min(until, part + (gap - left) / -rate);
       }
     }
     return until;

@@ -21,6 +21,8 @@ class ContinuousDetection {
   std::vector<EdgePair> find_crossings(std::span<const Eigen::Vector3d> from,
                                        std::span<const Eigen::Vector3d> to);
 
+  std::size_t bytes() const { return swept_pairs_.bytes(); }
+
  private:
   const ContactRule& rule_;
   SweptPairs swept_pairs_;

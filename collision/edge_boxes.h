@@ -7,6 +7,7 @@
 #include "collision/box_lanes.h"
 #include "collision/detectors/growth.h"
 #include "collision/edge_chunks.h"
+#include "core/bytes.h"
 #include "core/contact_detector.h"
 #include "core/parallel.h"
 
@@ -45,6 +46,8 @@ class EdgeBoxes {
     refit();
   }
 
+  /// The memory that they hold, without FCL's tree.
+  std::size_t bytes() const { return bytes_of(chunks_) + bytes_of(boxes_) + bytes_of(sides_); }
   /// The search comes in parts, which threads can share. Each pair is found in one of them only.
   int part_count() const;
   /// visit(pair) for the overlapping pairs of a part, in no particular order; none of edges that

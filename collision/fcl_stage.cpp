@@ -257,6 +257,12 @@ double FclStage::add(const VertexField& x, Couplings* couplings) {
   return touching_strands_.energy() + touching_colliders_.energy() + friction_.add(x, couplings);
 }
 
+std::size_t FclStage::bytes() const {
+  return (strand_contacts_ ? strand_contacts_->bytes() : 0) + collider_contacts_.bytes() +
+         touching_strands_.bytes() + touching_colliders_.bytes() + bytes_of(chunks_) +
+         bytes_of(positions_);
+}
+
 void register_fcl_stage(Registry& registry);
 void register_fcl_stage(Registry& registry) {
   registry.of<CollisionStage>().add<FclStageParameters>(

@@ -64,6 +64,7 @@ class FclStage final : public CollisionStage {
   double add(const VertexField& x, Couplings* couplings) override;
   void end_step(const VertexField& x) override;
   ContactReport report() const override { return report_; }
+  std::size_t bytes() const override;
 
  private:
   void bind_strand_contacts(const Strands& strands);

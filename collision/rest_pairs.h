@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/bytes.h"
 #include "core/contact_detector.h"
 
 namespace ringlet {
@@ -19,6 +20,8 @@ class RestPairs {
   /// rest by its distance there without the slack; by 0 if they cross at rest, nearer than a
   /// millionth of the thickness.
   void limit(std::span<const EdgePair> pairs, std::span<double> thickness) const;
+
+  std::size_t bytes() const { return bytes_of(pairs_) + bytes_of(thickness_); }
 
  private:
   std::vector<EdgePair> pairs_;    // sorted

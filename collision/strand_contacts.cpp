@@ -98,4 +98,9 @@ void StrandContacts::add_touching(int first, int count, const VertexField& x,
   }
 }
 
+std::size_t StrandContacts::bytes() const {
+  return bytes_of(pairs_) + bytes_of(thickness_) + detector_->bytes() +
+         (rest_pairs_ ? rest_pairs_->bytes() : 0) + (continuous_ ? continuous_->bytes() : 0);
+}
+
 }  // namespace ringlet

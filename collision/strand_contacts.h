@@ -43,6 +43,8 @@ class StrandContacts {
   /// Contacts of the candidates that touch.
   void evaluate(const VertexField& x, Touching& touching) const;
 
+  std::size_t bytes() const;
+
   ContinuousDetection* continuous() { return continuous_ ? &*continuous_ : nullptr; }
 
  private:

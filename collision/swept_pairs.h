@@ -19,6 +19,8 @@ class SweptPairs {
                              std::span<const Eigen::Vector3d> to, double reach,
                              const ContactRule& rule);
 
+  std::size_t bytes() const { return boxes_.bytes(); }
+
  private:
   EdgeBoxes boxes_;  // around the ways of edges
 };

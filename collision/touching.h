@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "collision/contact.h"
+#include "core/bytes.h"
 #include "core/parallel.h"
 
 namespace ringlet {
@@ -60,6 +61,8 @@ class Touching {
       for (const auto& [candidate, contact] : parts_[p]) terms[term++] = contact.term();
     });
   }
+
+  std::size_t bytes() const { return bytes_of(parts_) + bytes_of(first_terms_); }
 
  private:
   std::vector<std::vector<Found>> parts_;  // those without candidates are kept for later

@@ -51,6 +51,9 @@ class BatchCoupling final : public CouplingEnergy {
     }
   }
 
+  bool vanishes() const override { return tuples_.empty(); }
+  std::size_t bytes() const override { return bytes_of(tuples_) + bytes_of(batches_); }
+
   void begin_step(const StepStart& start) override {
     if constexpr (UpdatedKernel<Kernel>) {
       const StepTime time{start.end(), start.dt};
@@ -58,6 +61,11 @@ class BatchCoupling final : public CouplingEnergy {
         batches_[b] = element_.kernel().update(gather(b, start.state.positions), batches_[b], time);
       });
     }
+  }
+
+  std::span<std::byte> changing_data() override {
+    if constexpr (UpdatedKernel<Kernel>) return std::as_writable_bytes(std::span(batches_));
+    return {};
   }
 
   double add(const VertexField& x, Couplings* couplings) const override {

@@ -47,6 +47,18 @@ class BatchEnergy final : public Energy, public ElementFunction {
     }
   }
 
+  bool vanishes() const override {
+    if constexpr (UpdatedKernel<Kernel>) return false;
+    for (int g = 0; g < groups_->count(); ++g) {
+      for (int i = 0; i + K <= (*groups_)[g].vertices; ++i) {
+        const Pack& stiffness = rest_[(*groups_)[g].first_row + i].stiffness;
+        if (std::experimental::any_of(stiffness != 0)) return false;
+      }
+    }
+    return true;
+  }
+  std::size_t bytes() const override { return bytes_of(rest_); }
+
   void begin_step(const StepStart& start) override {
     if constexpr (UpdatedKernel<Kernel>) {
       const StepTime time{start.end(), start.dt};
@@ -58,6 +70,11 @@ class BatchEnergy final : public Energy, public ElementFunction {
         }
       });
     }
+  }
+
+  std::span<std::byte> changing_data() override {
+    if constexpr (UpdatedKernel<Kernel>) return std::as_writable_bytes(std::span(rest_));
+    return {};
   }
 
   double add(int group, std::span<const Vector3<Pack>> x, EdgeOutputs outputs) const override {

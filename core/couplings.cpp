@@ -294,4 +294,14 @@ void Couplings::add_product(int group, const VertexField& x, VertexField& y) con
   }
 }
 
+std::size_t Couplings::bytes() const {
+  std::size_t sum = bytes_of(terms_) + bytes_of(tuples_) + bytes_of(split_) + bytes_of(of_group_) +
+                    bytes_of(coupled_) + bytes_of(place_);
+  for (const OfGroup& group : of_group_) {
+    sum += bytes_of(group.parts) + bytes_of(group.felt) + bytes_of(group.tuple_parts) +
+           bytes_of(group.blocks);
+  }
+  return sum;
+}
+
 }  // namespace ringlet

@@ -54,6 +54,8 @@ class Couplings {
   /// pinned vertices out: free is 1 for a free vertex and 0 for a pinned one.
   void finish(const VertexScalars& free);
 
+  /// The memory that they hold.
+  std::size_t bytes() const;
   bool empty() const { return terms_.empty() && tuples_.empty(); }
   /// Adds the gradients of the terms to the rows of a group.
   void add_gradient(int group, std::span<Vector3<Pack>> rows) const;

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/bytes.h"
 #include "core/strand_bands.h"
 
 namespace ringlet {
@@ -38,6 +39,7 @@ class EdgeDerivatives {
   Vector3<Pack> gradient_row(int i) const { return gradient_[i] - gradient_[i + 1]; }
   /// Writes row i of D^T H D: the band_blocks blocks of a row of GroupBands.
   void write_hessian_row(int i, Matrix3<Pack>* row) const;
+  std::size_t bytes() const { return bytes_of(gradient_) + bytes_of(blocks_); }
   /// Adds all rows.
   void add_to(const GroupOutputs& outputs) const;
 

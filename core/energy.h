@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -47,9 +48,16 @@ class Energy : public Named {
   /// Computes rest data from the strands' rest shape. Called once, before add().
   virtual void bind(const Strands& strands, const StrandGroups& groups) = 0;
 
+  /// Whether it is zero wherever the strands are, now and later, as without stiffness. It is then
+  /// left out.
+  virtual bool vanishes() const { return false; }
+
   /// A step begins. An energy whose rest shape flows, or that is driven, changes its rest data here
   /// and nowhere else; called once a step, before begin_step() of the forces.
   virtual void begin_step(const StepStart& start) { (void)start; }
+  /// What begin_step() changes; empty if it changes nothing. A step that is tried again begins with
+  /// a copy of it.
+  virtual std::span<std::byte> changing_data() { return {}; }
 
   /// Returns the energy of a group of strands at positions x, J. Adds its gradient with respect to
   /// the edges e_i = x_{i+1} - x_i, and its Hessian, made positive semi-definite by the energy's

@@ -9,13 +9,17 @@
 namespace ringlet {
 
 /// A force that is not an elastic energy: gravity, drag, damping. Within one step it is the minus
-/// gradient of an incremental potential in the positions at the end of the step, in which the
-/// velocity stands as (x - x_n) / dt.
+/// gradient of an incremental potential in the positions x at the end of the step, in which the
+/// velocity is that of StepStart::velocity.
 class Force : public Named {
  public:
   virtual ~Force() = default;
   virtual void bind(const Strands& strands, const StrandGroups& groups) = 0;
+  /// As Energy::vanishes().
+  virtual bool vanishes() const { return false; }
   virtual void begin_step(const StepStart& start) = 0;
+  /// As Energy::changing_data(), of what does not follow from StepStart alone.
+  virtual std::span<std::byte> changing_data() { return {}; }
   /// As Energy::add, for the incremental potential and with derivatives with respect to the
   /// vertices.
   virtual double add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const = 0;

@@ -69,6 +69,11 @@ std::optional<std::string> find_non_finite_coupling(const Model& model, const Ve
   return std::nullopt;
 }
 
+bool is_held(std::span<const Pack> free) {
+  return std::all_of(free.begin(), free.end(),
+                     [](const Pack& lanes) { return std::experimental::none_of(lanes != 0); });
+}
+
 /// Makes the gradient zero where nothing is free; returns its squared norm.
 double pin_gradient(std::span<Vector3<Pack>> gradient, std::span<const Pack> free) {
   Pack squared = 0;
@@ -97,10 +102,11 @@ IncrementalPotential::IncrementalPotential(const Model& model, const VertexField
                                            double h)
     : model_(model),
       target_(inertial_target),
-      inverse_h2_(1 / (h * h)),
       terms_of_groups_(model.groups.count() * term_count()),
       squared_gradients_(model.groups.count()),
-      coupling_values_(model.couplings.size()) {}
+      coupling_values_(model.couplings.size()) {
+  set_effective_step(h);
+}
 
 double IncrementalPotential::inertia(int group, const VertexField& x) const {
   const auto rows = x.group(group), target = target_.group(group);
@@ -154,14 +160,21 @@ void IncrementalPotential::sum_terms(PotentialTerms& total) {
   total.contacts = contact_value_;
 }
 
+void IncrementalPotential::add_values(int group, const VertexField& x) {
+  const std::span of_group = terms_of(group);
+  of_group.front() = inertia(group, x);
+  of_group.back() = 0;
+  add_energies(group, x, {}, of_group);
+  add_forces(group, x, {}, of_group);
+}
+
+std::span<const Pack> IncrementalPotential::free_of(int group) const {
+  const StrandGroup& rows = model_.groups[group];
+  return std::span(model_.free).subspan(rows.first_row, rows.vertices);
+}
+
 void IncrementalPotential::value(const VertexField& x, PotentialTerms& terms) {
-  parallel_for_each(model_.groups.count(), [&](int g) {
-    const std::span of_group = terms_of(g);
-    of_group.front() = inertia(g, x);
-    of_group.back() = 0;
-    add_energies(g, x, {}, of_group);
-    add_forces(g, x, {}, of_group);
-  });
+  parallel_for_each(model_.groups.count(), [&](int g) { add_values(g, x); });
   add_coupled(x, nullptr);
   sum_terms(terms);
 }
@@ -188,11 +201,19 @@ void IncrementalPotential::assemble(const VertexField& x, VertexField& gradient,
   const bool keep_all = solver.band_factor() == nullptr;
   if (keep_all || matrix.couples_strands()) matrix.keep_bands();
   parallel_for_each(model_.groups.count(), [&](int g) {
+    const auto rows = gradient.group(g);
+    std::fill(rows.begin(), rows.end(), Vector3<Pack>{0, 0, 0});
+    const std::span free = free_of(g);
+    if (!keep_all && is_held(free)) {
+      add_values(g, x);
+      squared_gradients_[g] = 0;
+      const auto still = direction.group(g);
+      std::fill(still.begin(), still.end(), Vector3<Pack>{0, 0, 0});
+      return;
+    }
     const bool coupled = matrix.couplings.touches(g);
     const GroupBands bands =
         keep_all || coupled ? matrix.bands.group(g) : matrix.temporary_bands(g);
-    const auto rows = gradient.group(g);
-    std::fill(rows.begin(), rows.end(), Vector3<Pack>{0, 0, 0});
     matrix.couplings.add_gradient(g, rows);
     const std::span of_group = terms_of(g);
     of_group.back() = 0;
@@ -201,7 +222,6 @@ void IncrementalPotential::assemble(const VertexField& x, VertexField& gradient,
     of_group.front() = write_rows(g, x, edges, inverse_h2_ + added, {rows, bands});
     add_forces(g, x, {rows, bands}, of_group);
     matrix.couplings.add_to_bands(g, bands);
-    const std::span free = std::span(model_.free).subspan(model_.groups[g].first_row, bands.rows());
     squared_gradients_[g] = pin_gradient(rows, free);
     pin_rows(bands, free);
     naming(solver, [&] { solver.prepare_group({g, bands, rows, coupled}, direction.group(g)); });

@@ -27,7 +27,8 @@ struct PotentialTerms {
 ///
 ///     Phi(x) = (x - y)^T M (x - y) / (2 h^2) + energies + couplings + forces + contacts
 ///
-/// y is the inertial target, h the effective time step: for BDF-1 y = x_n + dt v_n and h = dt.
+/// y is the inertial target, h the effective time step: for BDF-1 y = x_n + dt v_n and h = dt. With
+/// an infinite h there is no inertia.
 /// Pinned vertices are not unknowns: they stand where x has them. Keeps the memory of its sums
 /// between calls.
 class IncrementalPotential {
@@ -35,7 +36,13 @@ class IncrementalPotential {
   /// All references must outlive the potential.
   IncrementalPotential(const Model& model, const VertexField& inertial_target, double h);
 
+  /// Another effective time step, s.
+  void set_effective_step(double h) { inverse_h2_ = 1 / (h * h); }
+
   void value(const VertexField& x, PotentialTerms& terms);
+  std::size_t bytes() const {
+    return bytes_of(terms_of_groups_) + bytes_of(squared_gradients_) + bytes_of(coupling_values_);
+  }
 
   /// Collects the couplings at x, and the contacts that the collision stage has detected, in the
   /// matrix. Before assemble(), where the model may couple.
@@ -48,7 +55,7 @@ class IncrementalPotential {
   /// Value, gradient and filtered Hessian A plus `added` M, with the matrix's couplings; gradient
   /// is zero and the matrix identity at pinned vertices. Each group's bands are handed to the
   /// solver's prepare_group() when complete, which may already solve A x = gradient into the
-  /// direction.
+  /// direction; but for a solver with a band factor not those of groups where nothing is free.
   void assemble(const VertexField& x, VertexField& gradient, SystemMatrix& matrix,
                 LinearSolver& solver, VertexField& direction, Assembled& result, double added = 0);
 
@@ -59,6 +66,9 @@ class IncrementalPotential {
                     std::span<double> terms) const;
   void add_forces(int group, const VertexField& x, GroupOutputs outputs,
                   std::span<double> terms) const;
+  /// All of these values.
+  void add_values(int group, const VertexField& x);
+  std::span<const Pack> free_of(int group) const;
   /// Inertia, whose value is returned, and energies: adds the gradient, and writes the Hessian with
   /// mass_weight M.
   double write_rows(int group, const VertexField& x, const EdgeDerivatives& edges,
@@ -73,7 +83,7 @@ class IncrementalPotential {
 
   const Model& model_;
   const VertexField& target_;
-  double inverse_h2_;
+  double inverse_h2_ = 0;
   std::vector<double> terms_of_groups_;  // term_count() of each
   std::vector<double> squared_gradients_;
   std::vector<double> coupling_values_;  ///< of each coupling, where they were last added

@@ -46,7 +46,7 @@ class LinearSolver : public Named {
   virtual const BandFactor* band_factor() const { return nullptr; }
   /// Called as soon as the system of a group is complete, while it is warm in cache; from several
   /// threads at once, for different groups. A solver with a band factor makes it here, and writes
-  /// x = B^-1 b.
+  /// x = B^-1 b; groups in which nothing is free, and whose x is zero, it does not see.
   virtual void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) {
     (void)system, (void)x;
   }

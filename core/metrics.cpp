@@ -19,14 +19,18 @@ RestDistance measure_strand(const Strands& strands, const VertexField& positions
   return distance;
 }
 
-std::vector<Metric> list_energies(const std::vector<std::string>& types) {
+std::vector<Metric> list_energies(std::vector<std::string> types,
+                                  const std::vector<std::string>& left_out) {
+  const std::size_t measured = types.size();
+  types.insert(types.end(), left_out.begin(), left_out.end());
   std::vector<Metric> metrics;
   for (std::size_t i = 0; i < types.size(); ++i) {
     const auto earlier = std::count(types.begin(), types.begin() + static_cast<long>(i), types[i]);
     std::string name = "energy_" + types[i];
     if (earlier > 0) name.append("_").append(std::to_string(earlier + 1));
-    metrics.push_back(
-        {std::move(name), [i](const StepSample& sample) { return sample.report.energies.at(i); }});
+    metrics.push_back({std::move(name), [i, measured](const StepSample& sample) {
+                         return i < measured ? sample.report.energies.at(i) : 0.0;
+                       }});
   }
   return metrics;
 }
@@ -47,7 +51,8 @@ RestDistance measure_rest_distance(const Model& model, const VertexField& positi
   return all;
 }
 
-std::vector<Metric> list_metrics(const std::vector<std::string>& energy_types) {
+std::vector<Metric> list_metrics(const std::vector<std::string>& energy_types,
+                                 const std::vector<std::string>& left_out) {
   using Sample = const StepSample&;
   std::vector<Metric> metrics{
       {"step", [](Sample s) { return s.step; }},
@@ -59,9 +64,12 @@ std::vector<Metric> list_metrics(const std::vector<std::string>& energy_types) {
       {"linear_converged", [](Sample s) { return s.report.linear_converged; }},
       {"linear_residual", [](Sample s) { return s.report.linear_residual; }},
       {"line_search_halvings", [](Sample s) { return s.report.line_search_halvings; }},
+      {"substeps", [](Sample s) { return s.report.substeps; }},
+      {"local_error", [](Sample s) { return s.report.local_error; }},
       {"kinetic_energy", [](Sample s) { return s.report.kinetic_energy; }}};
-  for (Metric& energy : list_energies(energy_types)) metrics.push_back(std::move(energy));
+  for (Metric& energy : list_energies(energy_types, left_out)) metrics.push_back(std::move(energy));
   const std::vector<Metric> rest{
+      {"contact_energy", [](Sample s) { return s.report.contact_energy; }},
       {"contacts",
        [](Sample s) {
          return s.report.contacts.strand_contacts + s.report.contacts.collider_contacts;

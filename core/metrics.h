@@ -34,7 +34,8 @@ struct Metric {
 };
 
 /// All metrics of a run whose energies have these types, in the order of metrics.csv. The second
-/// energy of a type "bending" is the metric energy_bending_2.
-std::vector<Metric> list_metrics(const std::vector<std::string>& energy_types);
+/// energy of a type "bending" is the metric energy_bending_2. Those that are left out are zero.
+std::vector<Metric> list_metrics(const std::vector<std::string>& energy_types,
+                                 const std::vector<std::string>& left_out = {});
 
 }  // namespace ringlet

@@ -11,8 +11,16 @@ std::vector<std::string> energy_names(const Model& model) {
   return names;
 }
 
-void begin_step(Model& model, const State& state, double dt) {
-  const StepStart start{state, dt, model.energies};
+std::vector<std::string> left_out_energy_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const LeftOut& term : model.left_out) {
+    if (term.kind != Kind<Force>::name) names.push_back(term.name);
+  }
+  return names;
+}
+
+void begin_step(Model& model, const State& state, double dt, const EndVelocity& velocity) {
+  const StepStart start{state, dt, model.energies, velocity};
   const auto begin_all = [&](const auto& terms) {
     for (const auto& term : terms) naming(*term, [&] { term->begin_step(start); });
   };

@@ -15,10 +15,17 @@
 
 namespace ringlet {
 
+/// A term that a scene names, and that is zero wherever the strands are.
+struct LeftOut {
+  std::string kind, name;
+};
+
 /// What is simulated: strands, the terms of their potential, and the stages that a step runs
 /// through. Not movable, since its parts refer to each other.
 struct Model {
-  explicit Model(Strands given) : strands(std::move(given)), groups(strands) {}
+  /// is_held: of each strand, whether it is not solved for since all of it is pinned.
+  explicit Model(Strands given, const std::vector<bool>& is_held = {})
+      : strands(std::move(given)), groups(strands, is_held) {}
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
@@ -30,6 +37,7 @@ struct Model {
   std::vector<std::unique_ptr<Force>> forces;
   std::unique_ptr<CollisionStage> collision;  ///< null: the scene has no collision
   std::unique_ptr<LinearSolver> solver;
+  std::vector<LeftOut> left_out;  ///< terms that vanish
   std::vector<Pin> pins;
   VertexField pinned_from;  ///< positions of the pins at time 0
   VertexScalars free;       ///< 1: free; 0: pinned, or a pad
@@ -42,7 +50,10 @@ struct Model {
 /// The names of the elastic terms, as StepReport::energies has them: energies, then couplings.
 std::vector<std::string> energy_names(const Model& model);
 
+/// The names of the elastic terms that are left out, since they are always zero.
+std::vector<std::string> left_out_energy_names(const Model& model);
+
 /// Tells energies, couplings and forces, in this order, that a step of length dt, s, begins.
-void begin_step(Model& model, const State& state, double dt);
+void begin_step(Model& model, const State& state, double dt, const EndVelocity& velocity);
 
 }  // namespace ringlet

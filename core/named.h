@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <new>
 #include <string>
 
 #include "core/error.h"
+#include "core/work_time.h"
 
 namespace ringlet {
 
@@ -11,14 +13,26 @@ namespace ringlet {
 template <class Interface>
 struct Kind;
 
-/// What every plugin of a scene is: it knows the name by which the scene chose it, for reports.
+/// What every plugin of a scene is: it knows the name by which the scene chose it, and what it
+/// costs, for reports.
 class Named {
  public:
   const std::string& name() const { return name_; }
   void set_name(const std::string& name) { name_ = name; }
+  /// The time of its calls through naming().
+  WorkTime& work_time() const { return work_time_; }
+  /// The memory that it holds now, bytes; 0 if that is nothing to speak of.
+  virtual std::size_t bytes() const { return 0; }
+
+ protected:
+  Named() = default;
+  ~Named() = default;
+  Named(const Named&) = delete;
+  Named& operator=(const Named&) = delete;
 
  private:
   std::string name_;
+  mutable WorkTime work_time_;
 };
 
 /// An exception of a plugin, told with the kind and the name of the plugin.
@@ -44,8 +58,10 @@ decltype(auto) naming(const std::string& name, const Use& use) {
     throw PluginError(who() + "throws what is no exception of the standard library");
   }
 }
+/// The same with the name of a plugin, whose time it measures.
 template <class Interface, class Use>
 decltype(auto) naming(const Interface& plugin, const Use& use) {
+  const WorkTime::Timer timer(plugin.work_time());
   return naming<Interface>(plugin.name(), use);
 }
 

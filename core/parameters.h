@@ -263,12 +263,15 @@ class Schema {
                    const Range& range, const std::string& meaning) {
     return add(name, member, unit, range, meaning, true);
   }
-  /// Takes over all keys of a member that is a parameter struct itself.
+  /// Takes over all keys of a member that is a parameter struct itself, with the defaults that they
+  /// have here.
   template <class Part>
   Schema& include(Part T::*part) {
     const Schema<Part> inner = Part::schema();
     for (const auto& key : inner.keys_) {
-      keys_.push_back({key.info,
+      KeyInfo info = key.info;
+      if (!info.required) info.default_value = key.write(T{}.*part);
+      keys_.push_back({std::move(info),
                        [read = key.read, part](const Json* json, const std::string& pointer,
                                                ParseContext& context,
                                                T& out) { read(json, pointer, context, out.*part); },

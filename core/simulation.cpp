@@ -58,23 +58,41 @@ void mark_free_and_mass(Model& model) {
   }
 }
 
+/// Those that vanish are left out.
 template <class Interface>
 std::vector<std::unique_ptr<Interface>> make_terms(const std::vector<Choice<Interface>>& choices,
-                                                   const Model& model) {
+                                                   Model& model) {
   std::vector<std::unique_ptr<Interface>> terms;
   for (const auto& choice : choices) {
-    terms.push_back(choice.make());
-    Interface& term = *terms.back();
-    naming(term, [&] { term.bind(model.strands, model.groups); });
+    std::unique_ptr<Interface> term = choice.make();
+    const bool vanishes = naming(*term, [&] {
+      term->bind(model.strands, model.groups);
+      return term->vanishes();
+    });
+    if (vanishes) {
+      model.left_out.push_back({Kind<Interface>::name, term->name()});
+    } else {
+      terms.push_back(std::move(term));
+    }
   }
   return terms;
+}
+
+/// Of each strand, whether all of its vertices are pinned.
+std::vector<bool> held_strands(const StrandSet& set) {
+  std::vector<bool> held(set.vertex_counts.size());
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    held[i] = set.pinned_counts[i] >= set.vertex_counts[i];
+  }
+  return held;
 }
 
 }  // namespace
 
 Simulation::Simulation(const Scene& scene) {
   StrandSet set = generate_all(scene.strands);
-  model_ = std::make_unique<Model>(Strands(set.vertex_counts, set.positions, scene.material));
+  model_ = std::make_unique<Model>(Strands(set.vertex_counts, set.positions, scene.material),
+                                   held_strands(set));
   Model& model = *model_;
   for (const auto& [name, parts] : scene.motions) {
     std::vector<std::unique_ptr<Motion>> made;
@@ -115,12 +133,14 @@ void Simulation::set_state(const State& state) {
   state_.time = state.time;
   state_.positions.set_matrix(state.positions.matrix());
   state_.velocities.set_matrix(state.velocities.matrix());
+  state_.history.dt = 0;
 }
 
 StepReport Simulation::step() {
   StepReport report;
   try {
-    report = naming(*integrator_, [&] { return integrator_->step(*model_, state_); });
+    report = naming(*integrator_,
+                    [&] { return integrator_->step(*model_, state_, integrator_->time_step()); });
   } catch (const PluginError& error) {
     report.failure = error.what();
   }

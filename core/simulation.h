@@ -17,6 +17,7 @@ class Simulation {
 
   const Model& model() const { return *model_; }
   const State& state() const { return state_; }
+  const Integrator& integrator() const { return *integrator_; }
   int steps_done() const { return steps_done_; }
   /// Goes on from a state of another simulation of the same strands.
   void set_state(const State& state);

@@ -15,6 +15,14 @@ struct StageSeconds {
   double evaluate = 0;     ///< energies and forces, and factors of strands
   double solve = 0;        ///< the linear solver
   double line_search = 0;  ///< values of the potential
+
+  void operator+=(const StageSeconds& other) {
+    detect += other.detect;
+    couple += other.couple;
+    evaluate += other.evaluate;
+    solve += other.solve;
+    line_search += other.line_search;
+  }
 };
 
 /// What an integrator says about one step.
@@ -26,7 +34,11 @@ struct StepReport {
   bool linear_converged = true;  ///< of all solves of the step
   double linear_residual = 0;    ///< worst of the step, as the solver reports it
   int line_search_halvings = 0;
+  int substeps = 1;              ///< into which the step was divided
+  double local_error = 0;        ///< estimated, of the substeps together, m; 0: not estimated
+  bool local_error_met = true;   ///< false: it is larger than the integrator's tolerance
   std::vector<double> energies;  ///< of each elastic term, couplings last, at the end, J
+  double contact_energy = 0;     ///< of contacts, at the end, J
   double kinetic_energy = 0;     ///< J
   ContactReport contacts;
   StageSeconds seconds;

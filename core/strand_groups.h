@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/lanes.h"
@@ -22,12 +23,14 @@ struct LaneSlot {
 };
 
 /// The order in which strands are computed: groups of lane_count, longest strands first so that the
-/// members of a group are about equally long. A row holds one vertex of each of them. Lanes
-/// without a strand and rows behind the tip of a shorter strand are pads: they carry a benign
-/// geometry, no stiffness, and identity in the system matrix.
+/// members of a group are about equally long; those that are held come last, in groups of their
+/// own, which need not be solved. A row holds one vertex of each of them. Lanes without a strand
+/// and rows behind the tip of a shorter strand are pads: they carry a benign geometry, no
+/// stiffness, and identity in the system matrix.
 class StrandGroups {
  public:
-  explicit StrandGroups(const Strands& strands);
+  /// is_held: of each strand, whether all of its vertices are pinned; empty: none is.
+  explicit StrandGroups(const Strands& strands, const std::vector<bool>& is_held = {});
 
   int count() const { return static_cast<int>(groups_.size()); }
   int rows() const { return rows_; }
@@ -38,7 +41,12 @@ class StrandGroups {
   /// The vertex at a place of a group, or -1 for a pad.
   int vertex_at(int row, int lane) const { return vertex_at_[row * lane_count + lane]; }
 
+  std::size_t bytes() const;
+
  private:
+  /// Of strands, the longest first.
+  void add_groups(const Strands& strands, std::span<const int> order);
+
   std::vector<StrandGroup> groups_;
   std::vector<LaneSlot> slots_;
   std::vector<int> group_of_row_;

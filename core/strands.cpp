@@ -1,5 +1,6 @@
 #include "core/strands.h"
 
+#include "core/bytes.h"
 #include "core/error.h"
 
 namespace ringlet {
@@ -57,6 +58,11 @@ double Strands::fraction_along(int vertex) const {
 double Strands::voronoi_length(int vertex) const {
   const bool is_root = vertex == first(strand_of(vertex));
   return 0.5 * (rest_lengths_[vertex] + (is_root ? 0.0 : rest_lengths_[vertex - 1]));
+}
+
+std::size_t Strands::bytes() const {
+  return bytes_of(first_) + bytes_of(strand_of_) + bytes_of(rest_positions_) +
+         bytes_of(rest_lengths_) + bytes_of(root_distances_) + bytes_of(radii_) + bytes_of(masses_);
 }
 
 }  // namespace ringlet

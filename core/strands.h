@@ -45,6 +45,8 @@ class Strands {
   double strand_length(int strand) const { return root_distances_[first_[strand + 1] - 1]; }
   /// How far a vertex is from the root of its strand at rest: 0 at the root, 1 at the tip.
   double fraction_along(int vertex) const;
+  /// The memory that they hold.
+  std::size_t bytes() const;
 
  private:
   void measure_lengths();

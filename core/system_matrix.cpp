@@ -19,6 +19,14 @@ EdgeDerivatives& SystemMatrix::temporary_edges(int group) {
   return edges;
 }
 
+std::size_t SystemMatrix::bytes() const {
+  std::size_t sum = bands.bytes() + couplings.bytes();
+  for (const Temporary& temporary : temporary_) {
+    sum += bytes_of(temporary.blocks) + temporary.edges.bytes();
+  }
+  return sum;
+}
+
 void multiply(const SystemMatrix& a, const VertexField& x, VertexField& y) {
   parallel_for_each(a.groups().count(), [&](int g) { multiply_group(a, g, x, y); });
 }

@@ -33,6 +33,9 @@ class SystemMatrix {
   /// call.
   EdgeDerivatives& temporary_edges(int group);
 
+  /// The memory that it holds.
+  std::size_t bytes() const;
+
   StrandBands bands;
   Couplings couplings;
 

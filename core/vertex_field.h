@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/bytes.h"
 #include "core/strand_groups.h"
 #include "core/vector3.h"
 
@@ -43,6 +44,7 @@ class VertexField {
   void add(int vertex, const Eigen::Vector3d& value) { set(vertex, get(vertex) + value); }
   void set_zero();
 
+  std::size_t bytes() const { return bytes_of(rows_); }
   /// 3 x V, column i = vertex i.
   Eigen::Matrix3Xd matrix() const;
   void set_matrix(const Eigen::Matrix3Xd& values);

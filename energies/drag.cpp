@@ -1,6 +1,6 @@
 // Linear air drag: a force -c l (v - w) on every vertex, with its Voronoi length l and the velocity
-// w of the air. Over a step of length dt with v = (x - x_n) / dt it comes from the incremental
-// potential dt/2 c l |v - w|^2.
+// w of the air. Over a step with v = (x - o) / h at its end (core/step_start.h) it comes from the
+// incremental potential h/2 c l |v - w|^2.
 
 #include "core/force.h"
 #include "core/registry.h"
@@ -32,25 +32,27 @@ class Drag final : public Force {
       return parameters_.coefficient * strands.voronoi_length(vertex);
     });
   }
+  bool vanishes() const override { return parameters_.coefficient == 0; }
+  std::size_t bytes() const override { return bytes_of(coefficient_) + origin_.bytes(); }
   void begin_step(const StepStart& start) override {
-    x_n_ = start.state.positions;
-    dt_ = start.dt;
+    origin_ = start.velocity.origin;
+    interval_ = start.velocity.interval;
   }
 
   double add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const override {
     const Pack* coefficient = &coefficient_[(*groups_)[group].first_row];
-    const std::span x_n = x_n_.group(group);
+    const std::span origin = origin_.group(group);
     const Eigen::Vector3d& w = parameters_.wind;
     const Vector3<Pack> wind{w.x(), w.y(), w.z()};
-    const Pack inverse_dt = 1 / dt_;
+    const Pack inverse_interval = 1 / interval_;
     Pack energy = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const Vector3<Pack> slip = inverse_dt * (x[i] - x_n[i]) - wind;
-      energy += 0.5 * dt_ * coefficient[i] * squared_norm(slip);
+      const Vector3<Pack> slip = inverse_interval * (x[i] - origin[i]) - wind;
+      energy += 0.5 * interval_ * coefficient[i] * squared_norm(slip);
       if (!outputs.gradient.empty()) outputs.gradient[i] += coefficient[i] * slip;
       if (!outputs.hessian.empty()) {
         Matrix3<Pack>& block = outputs.hessian.block(static_cast<int>(i), 0);
-        for (int c = 0; c < 3; ++c) block(c, c) += coefficient[i] * inverse_dt;
+        for (int c = 0; c < 3; ++c) block(c, c) += coefficient[i] * inverse_interval;
       }
     }
     return sum_lanes(energy);
@@ -60,8 +62,8 @@ class Drag final : public Force {
   DragParameters parameters_;
   const StrandGroups* groups_ = nullptr;
   VertexScalars coefficient_;  ///< N s/m, 0 on pads
-  VertexField x_n_;
-  double dt_ = 1;
+  VertexField origin_;
+  double interval_ = 1;
 };
 
 }  // namespace

@@ -25,6 +25,8 @@ class Gravity final : public Force {
     groups_ = &groups;
     mass_ = vertex_scalars(groups, [&](int vertex) { return strands.mass(vertex); });
   }
+  bool vanishes() const override { return acceleration_.isZero(0); }
+  std::size_t bytes() const override { return bytes_of(mass_); }
   void begin_step(const StepStart&) override {}
 
   double add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const override {

@@ -1,7 +1,7 @@
 // Rayleigh damping: a force -D v with D = alpha M + beta K(x_n), where M are the masses and K is
-// the filtered Hessian of the elastic energies at the start of the step. Over a step of length dt
-// with v = (x - x_n) / dt it comes from the incremental potential dt/2 v . D v (math.md, section
-// 6).
+// the filtered Hessian of the elastic energies at the start of the step. Over a step with
+// v = (x - o) / h at its end (core/step_start.h) it comes from the incremental potential h/2 v . D v
+// (math.md, section 6).
 
 #include "core/force.h"
 #include "core/parallel.h"
@@ -36,15 +36,19 @@ class Rayleigh final : public Force {
     if (uses_stiffness()) stiffness_ = StrandBands(groups);
   }
 
+  bool vanishes() const override { return parameters_.mass == 0 && parameters_.stiffness == 0; }
+  std::size_t bytes() const override {
+    return bytes_of(mass_) + stiffness_.bytes() + origin_.bytes();
+  }
   void begin_step(const StepStart& start) override {
-    x_n_ = start.state.positions;
-    dt_ = start.dt;
+    origin_ = start.velocity.origin;
+    interval_ = start.velocity.interval;
     if (!uses_stiffness()) return;
     parallel_for_each(groups_->count(), [&](int g) {
       const GroupBands bands = stiffness_.group(g);
       std::fill(bands.blocks().begin(), bands.blocks().end(), Matrix3<Pack>::zero());
       for (const auto& energy : start.energies) {
-        add_at_vertices(*energy, g, x_n_.group(g), {{}, bands});
+        add_at_vertices(*energy, g, start.state.positions.group(g), {{}, bands});
       }
       for (Matrix3<Pack>& block : bands.blocks()) block = Pack(parameters_.stiffness) * block;
     });
@@ -52,34 +56,34 @@ class Rayleigh final : public Force {
 
   double add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const override {
     const Pack* mass = &mass_[(*groups_)[group].first_row];
-    const std::span x_n = x_n_.group(group);
-    const Pack inverse_dt = 1 / dt_;
+    const std::span origin = origin_.group(group);
+    const Pack inverse_interval = 1 / interval_;
     std::vector<Vector3<Pack>> v(x.size()), damping(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) {
-      v[i] = inverse_dt * (x[i] - x_n[i]);
+      v[i] = inverse_interval * (x[i] - origin[i]);
       damping[i] = mass[i] * v[i];
     }
     if (uses_stiffness()) add_band_product(stiffness_, group, v, damping);
     Pack energy = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      energy += 0.5 * dt_ * dot(v[i], damping[i]);
+      energy += 0.5 * interval_ * dot(v[i], damping[i]);
       if (!outputs.gradient.empty()) outputs.gradient[i] += damping[i];
     }
-    if (!outputs.hessian.empty()) add_hessian(group, inverse_dt, outputs.hessian);
+    if (!outputs.hessian.empty()) add_hessian(group, inverse_interval, outputs.hessian);
     return sum_lanes(energy);
   }
 
  private:
   bool uses_stiffness() const { return parameters_.stiffness > 0; }
 
-  void add_hessian(int group, const Pack& inverse_dt, const GroupBands& hessian) const {
+  void add_hessian(int group, const Pack& inverse_interval, const GroupBands& hessian) const {
     const int first_row = (*groups_)[group].first_row;
     for (int i = 0; i < hessian.rows(); ++i) {
-      const Pack mass = inverse_dt * mass_[first_row + i];
+      const Pack mass = inverse_interval * mass_[first_row + i];
       for (int c = 0; c < 3; ++c) hessian.block(i, 0)(c, c) += mass;
       if (!uses_stiffness()) continue;
       for (int k = 0; k <= std::min(i, band_blocks - 1); ++k) {
-        hessian.block(i, k) += inverse_dt * stiffness_.block(first_row + i, k);
+        hessian.block(i, k) += inverse_interval * stiffness_.block(first_row + i, k);
       }
     }
   }
@@ -88,8 +92,8 @@ class Rayleigh final : public Force {
   const StrandGroups* groups_ = nullptr;
   VertexScalars mass_;     ///< alpha m, 0 on pads
   StrandBands stiffness_;  ///< beta K(x_n); empty if beta is 0
-  VertexField x_n_;
-  double dt_ = 1;
+  VertexField origin_;
+  double interval_ = 1;
 };
 
 }  // namespace

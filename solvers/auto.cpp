@@ -24,6 +24,7 @@ class Auto final : public LinearSolver {
       : name_(parameters.coupled.type()), solver_(parameters.coupled.make()) {}
 
   void bind(const StrandGroups& groups) override { solver_->bind(groups); }
+  std::size_t bytes() const override { return solver_->bytes(); }
   const BandFactor* band_factor() const override { return solver_->band_factor(); }
   void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) override {
     solver_->prepare_group(system, x);

@@ -26,6 +26,12 @@ bool same_pattern(const SparseMatrix& a, const SparseMatrix& b) {
 class Cholesky final : public LinearSolver {
  public:
   void bind(const StrandGroups& groups) override { groups_ = &groups; }
+  std::size_t bytes() const override {
+    constexpr std::size_t entry = sizeof(double) + sizeof(int);
+    const Eigen::Index in_factor =
+        analysed_ ? factor_.matrixL().nestedExpression().nonZeros() : Eigen::Index(0);
+    return bytes_of(entries_) + entry * static_cast<std::size_t>(lower_.nonZeros() + in_factor);
+  }
 
   bool prepare(const SystemMatrix& a) override {
     SparseMatrix lower = lower_triangle(a);

@@ -161,4 +161,14 @@ int CoupledGradients::first_coupled_row(int group) const {
   return groups_->slot(couplings_->coupled(group).front()).row - (*groups_)[group].first_row;
 }
 
+std::size_t CoupledGradients::bytes() const {
+  std::size_t sum = 0;
+  for (const Vectors* vectors : {&residual_, &preconditioned_, &direction_, &band_product_,
+                                 &coupling_product_, &right_side_}) {
+    sum += bytes_of(*vectors);
+  }
+  for (const auto& rows : temporary_) sum += bytes_of(rows);
+  return sum;
+}
+
 }  // namespace ringlet

@@ -31,6 +31,8 @@ class CoupledGradients {
   SolveReport solve(const BandFactor& factor, const Couplings& couplings, const VertexField& b,
                     VertexField& x, const Stop& stop);
 
+  std::size_t bytes() const;
+
  private:
   using Vectors = std::vector<Vector3<double>>;
 

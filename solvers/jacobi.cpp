@@ -43,6 +43,9 @@ class Jacobi final : public LinearSolver {
     inverse_.resize(groups.rows());
     positive_.assign(groups.count(), false);
   }
+  std::size_t bytes() const override {
+    return bytes_of(inverse_) + residual_.bytes() + update_.bytes() + next_.bytes();
+  }
 
   void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>>) override {
     Mask bad(false);

@@ -42,6 +42,15 @@ void Newton::bind(const Model& model) {
   direction_sums_.resize(model.groups.count());
 }
 
+std::size_t Newton::bytes() const {
+  std::size_t sum = (matrix_ ? matrix_->bytes() : 0) + bytes_of(direction_sums_);
+  for (const VertexField* field :
+       {&gradient_, &direction_, &trial_, &next_gradient_, &next_direction_}) {
+    sum += field->bytes();
+  }
+  return sum;
+}
+
 void Newton::minimise(Model& model, IncrementalPotential& potential, double dt, VertexField& x,
                       StepReport& report) {
   report.newton_converged = false;
@@ -59,6 +68,7 @@ void Newton::minimise(Model& model, IncrementalPotential& potential, double dt, 
                                         "the potential is not finite after the update");
     }
   }
+  report.contact_energy = assembled_.terms.contacts;
   report.energies = assembled_.terms.energies;
   const auto& couplings = assembled_.terms.couplings;
   report.energies.insert(report.energies.end(), couplings.begin(), couplings.end());
@@ -168,8 +178,8 @@ void Newton::measure_direction() {
 }
 
 double Newton::longest_step(Model& model, const VertexField& x, StepReport& report) {
-  const StageTimer timer(report.seconds.detect);
   if (!model.collision) return 1;
+  const StageTimer timer(report.seconds.detect);
   return naming(*model.collision, [&] { return model.collision->step_limit(x, direction_); });
 }
 

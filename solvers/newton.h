@@ -41,6 +41,9 @@ class Newton {
   void minimise(Model& model, IncrementalPotential& potential, double dt, VertexField& x,
                 StepReport& report);
 
+  /// The memory that it holds, the matrix included.
+  std::size_t bytes() const;
+
  private:
   enum class Outcome { go_on, done, failed };
   Outcome iterate(Model& model, IncrementalPotential& potential, double dt, VertexField& x,

@@ -47,6 +47,14 @@ class Pcg final : public LinearSolver {
     if (preconditioner_) preconditioned_ = VertexField(groups);
   }
 
+  std::size_t bytes() const override {
+    std::size_t sum = coupled_.bytes() + (preconditioner_ ? preconditioner_->bytes() : 0);
+    for (const VertexField* field : {&residual_, &direction_, &product_, &preconditioned_}) {
+      sum += field->bytes();
+    }
+    return sum;
+  }
+
   const BandFactor* band_factor() const override {
     return preconditioner_ ? preconditioner_->band_factor() : nullptr;
   }

@@ -22,9 +22,10 @@ class StrandCholesky final : public LinearSolver, private BandFactor {
   void bind(const StrandGroups& groups) override {
     groups_ = &groups;
     factors_.resize(groups.count());
-    positive_.assign(groups.count(), false);
+    positive_.assign(groups.count(), true);
   }
 
+  std::size_t bytes() const override { return bytes_of(factors_) + bytes_of(positive_); }
   const BandFactor* band_factor() const override { return this; }
 
   void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) override {
@@ -36,7 +37,10 @@ class StrandCholesky final : public LinearSolver, private BandFactor {
 
   bool prepare(const SystemMatrix& a) override {
     matrix_ = &a;
-    return std::find(positive_.begin(), positive_.end(), false) == positive_.end();
+    const bool is_positive =
+        std::find(positive_.begin(), positive_.end(), false) == positive_.end();
+    std::fill(positive_.begin(), positive_.end(), true);
+    return is_positive;
   }
 
   SolveReport solve(const VertexField& b, VertexField& x) override {

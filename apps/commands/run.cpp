@@ -22,6 +22,12 @@ void warn_of_caps(const RunRecord& record) {
     spdlog::warn("the linear solver did not converge in {} of {} steps", record.linear_caps,
                  record.steps);
   }
+  if (record.error_caps > 0) {
+    spdlog::warn(
+        "even with the smallest time steps the local error was above the tolerance in {} of {} "
+        "steps",
+        record.error_caps, record.steps);
+  }
 }
 
 void tell_expectations(const RunRecord& record) {

@@ -29,6 +29,8 @@ class FclDetector final : public ContactDetector {
     merge_sorted(found_, pairs);
   }
 
+  std::size_t bytes() const override { return (boxes_ ? boxes_->bytes() : 0) + bytes_of(found_); }
+
  private:
   std::optional<EdgeBoxes> boxes_;
   std::vector<std::vector<EdgePair>> found_;  // in each part of a search; kept for the memory alone

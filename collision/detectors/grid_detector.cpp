@@ -12,6 +12,7 @@
 #include "collision/detectors/growth.h"
 #include "collision/detectors/pair_lists.h"
 #include "collision/detectors/pair_sieve.h"
+#include "core/bytes.h"
 #include "core/parallel.h"
 #include "core/registry.h"
 
@@ -49,6 +50,11 @@ class GridDetector final : public ContactDetector {
       if (strands.strand_of(v) == strands.strand_of(v + 1)) edges_.push_back(v);
     }
     buckets_ = std::bit_ceil(static_cast<std::uint32_t>(edges_.size()));
+  }
+
+  std::size_t bytes() const override {
+    return bytes_of(edges_) + bytes_of(boxes_) + bytes_of(places_) + bytes_of(begins_) +
+           bytes_of(sorted_);
   }
 
   void find(std::span<const Eigen::Vector3d> positions, double reach,

@@ -67,7 +67,8 @@ struct FailingSolver final : LinearSolver {
 struct FailingIntegrator final : Integrator {
   double time_step() const override { return 1; }
   void bind(const Model&) override {}
-  StepReport step(Model&, State&) override { fail(); }
+  int order() const override { return 1; }
+  StepReport step(Model&, State&, double) override { fail(); }
 };
 struct FailingDetector final : ContactDetector {
   void bind(const Strands&) override {}

@@ -39,8 +39,10 @@ TEST_CASE("metrics and summary tell what happened") {
   const std::string text = read_text(place.folder() / "out/metrics.csv");
   CHECK(text.substr(0, text.find('\n')) ==
         "step,time,newton_iterations,newton_converged,newton_update,linear_iterations,"
-        "linear_converged,linear_residual,line_search_halvings,kinetic_energy,energy_stretch,"
-        "energy_bending,energy_bending_2,contacts,strand_contacts,collider_contacts,penetration,"
+        "linear_converged,linear_residual,line_search_halvings,substeps,local_error,kinetic_energy,"
+        "energy_stretch,"
+        "energy_bending,energy_bending_2,contact_energy,contacts,strand_contacts,collider_contacts,"
+        "penetration,"
         "crossings,collider_depth,"
         "mean_rest_distance,max_rest_distance,detect_ms,couple_ms,evaluate_ms,solve_ms,line_search_"
         "ms,"

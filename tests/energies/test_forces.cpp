@@ -31,7 +31,7 @@ struct Step {
       energies.back()->bind(strands, groups);
     }
     force->bind(strands, groups);
-    force->begin_step({state, dt, energies});
+    force->begin_step({state, dt, energies, {state.positions, dt}});
   }
   Probe at(const Points& positions) const { return ringlet::probe(*force, groups, positions); }
   double value(const Points& positions) const {

@@ -53,7 +53,7 @@ TEST_CASE("a kernel may change its rest data when a step begins") {
   for (const Evaluation evaluation : {Evaluation::lanes, Evaluation::scalar}) {
     Begun begun(evaluation);
     CHECK(begun.value() == Approx(4));
-    begun.energy.begin_step({begun.state, 0.125, {}});
+    begun.energy.begin_step({begun.state, 0.125, {}, {begun.state.positions, 0.125}});
     // Rest lengths 1 + 1 + 1.625, and 2 + 1.625 twice.
     CHECK(begun.value() == Approx(0.625 * 0.625 + 2 * 1.625 * 1.625));
   }

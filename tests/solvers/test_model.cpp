@@ -1,6 +1,6 @@
 #include "tests/solvers/test_model.h"
 
-#include "core/registry.h"
+#include "core/read_choice.h"
 #include "solvers/modules.h"
 #include "tests/catch.h"
 #include "tests/solvers/random_system.h"
@@ -103,17 +103,17 @@ State rest_state(const Model& model) {
   return {0, positions_with_pads(model.groups, positions), VertexField(model.groups)};
 }
 
+std::unique_ptr<Integrator> make_integrator(const Registry& registry, const Json& json,
+                                            const Model& model) {
+  auto integrator = make_chosen<Integrator>(registry, json);
+  integrator->bind(model);
+  return integrator;
+}
+
 std::unique_ptr<Integrator> make_integrator(const Json& json, const Model& model) {
   Registry registry;
   register_solvers(registry);
-  std::vector<Problem> problems;
-  ParseContext context{registry, {}, {}, problems};
-  Choice<Integrator> choice;
-  Codec<Choice<Integrator>>::read(json, "", {}, context, choice);
-  for (const Problem& problem : problems) FAIL(problem.pointer << ": " << problem.message);
-  auto integrator = choice.make();
-  integrator->bind(model);
-  return integrator;
+  return make_integrator(registry, json, model);
 }
 
 }  // namespace ringlet

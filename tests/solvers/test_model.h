@@ -9,6 +9,7 @@
 #include "core/integrator.h"
 #include "core/model.h"
 #include "core/parameters.h"
+#include "core/registry.h"
 
 namespace ringlet {
 
@@ -82,5 +83,8 @@ void add_force(Model& model, std::unique_ptr<Force> force);
 State rest_state(const Model& model);
 
 std::unique_ptr<Integrator> make_integrator(const Json& json, const Model& model);
+/// One of a registry, which may have more than those of ringlet.
+std::unique_ptr<Integrator> make_integrator(const Registry& registry, const Json& json,
+                                            const Model& model);
 
 }  // namespace ringlet

@@ -135,6 +135,29 @@ TEST_CASE("twist_end turns the tip about the edge before it and nothing else") {
         Approx(std::numbers::pi / 4));
 }
 
+TEST_CASE("positions are taken as they are, but for pinned vertices") {
+  const Curls curls;
+  Json strands = Json::array();
+  for (int s = 0; s < 3; ++s) {
+    strands.push_back(Json::array());
+    for (int i = 0; i < curls.strands.size(s); ++i) strands[s].push_back({s, i, 7});
+  }
+  const auto x = curls.posed({{"type", "positions"}, {"strands", strands}});
+  for (int s = 0; s < 3; ++s) {
+    for (int i = 0; i < curls.strands.size(s); ++i) {
+      const int v = curls.strands.first(s) + i;
+      const bool is_pinned = i < curls.set.pinned_counts[s];
+      CHECK(x[v] == (is_pinned ? curls.strands.rest_position(v) : Eigen::Vector3d(s, i, 7)));
+    }
+  }
+  strands[1].erase(4);
+  CHECK_THROWS_WITH(curls.posed({{"type", "positions"}, {"strands", strands}}),
+                    "strand 1: expected 30 positions, found 29");
+  strands.erase(0);
+  CHECK_THROWS_WITH(curls.posed({{"type", "positions"}, {"strands", strands}}),
+                    "expected the positions of 3 strands, found those of 2");
+}
+
 TEST_CASE("a strand of two vertices, a ring and a wholly pinned strand pass through all poses") {
   std::vector<Eigen::Vector3d> rest = {{0, 0, 0}, {0, 0, 1}};
   for (int i = 0; i <= 8; ++i) {

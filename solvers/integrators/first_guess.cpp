@@ -1,4 +1,4 @@
-#include "solvers/first_guess.h"
+#include "solvers/integrators/first_guess.h"
 
 #include <map>
 #include <string>

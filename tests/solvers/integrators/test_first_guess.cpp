@@ -1,6 +1,6 @@
 #include <Eigen/Geometry>
 
-#include "solvers/first_guess.h"
+#include "solvers/integrators/first_guess.h"
 #include "tests/catch.h"
 #include "tests/solvers/test_model.h"
 
@@ -53,7 +53,7 @@ TEST_CASE("pins follow their motion without drift, however the strand moves") {
   State state = rest_state(*model);
   for (int n = 0; n < 40; ++n) {
     const State before = state;
-    REQUIRE(integrator->step(*model, state).failure.empty());
+    REQUIRE(integrator->step(*model, state, integrator->time_step()).failure.empty());
     for (const Pin& pin : model->pins) {
       const Eigen::Vector3d expected =
           model->motions.at(pin.motion, state.time) * model->strands.rest_position(pin.vertex);

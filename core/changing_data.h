@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/model.h"
+
+namespace ringlet {
+
+/// A copy of what the terms of a model change when a step begins, so that the step can be tried
+/// again. Empty, and without cost, where no term changes anything.
+class ChangingData {
+ public:
+  void save(Model& model);
+  /// As it was when last saved.
+  void restore(Model& model) const;
+  std::size_t bytes() const { return bytes_of(bytes_); }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
+
+}  // namespace ringlet

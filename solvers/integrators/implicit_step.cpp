@@ -1,0 +1,72 @@
+#include "solvers/integrators/implicit_step.h"
+
+#include <utility>
+
+#include "core/registry.h"
+#include "core/simulation.h"
+#include "solvers/integrators/first_guess.h"
+#include "solvers/kinetic_energy.h"
+
+namespace ringlet {
+
+void ImplicitStep::bind(const Model& model) {
+  target = origin = positions_ = VertexField(model.groups);
+  potential_.emplace(model, target, 1);
+  newton_.bind(model);
+}
+
+std::size_t ImplicitStep::bytes() const {
+  return target.bytes() + origin.bytes() + positions_.bytes() + newton_.bytes() +
+         (potential_ ? potential_->bytes() : 0);
+}
+
+StepReport ImplicitStep::solve(Model& model, const State& state, double dt, const StepRule& rule) {
+  StepReport report;
+  const double time_end = state.time + dt;
+  guess(model, state, dt);
+  begin_step(model, state, dt, {origin, rule.interval});
+  if (model.collision) {
+    const StageTimer timer(report.seconds.detect);
+    const bool reachable = naming(*model.collision, [&] {
+      model.collision->begin_step(state.positions, time_end, dt);
+      return find_reachable_guess(model, state, time_end);
+    });
+    if (!reachable) {
+      report.failure =
+          "as pins and colliders move in this step, strands pass through each other or vertices "
+          "through a collider, which the contact barrier forbids; a smaller dt may help";
+      return report;
+    }
+  }
+  potential_->set_effective_step(rule.h);
+  newton_.minimise(model, *potential_, dt, positions_, report);
+  return report;
+}
+
+void ImplicitStep::guess(const Model& model, const State& state, double dt) {
+  const auto x = positions_.rows();
+  const auto x_n = state.positions.rows();
+  for_each_row(model.groups, [&](int i) { x[i] = x_n[i]; });
+  carry_strands_with_pins(model, state.time, state.time + dt, positions_);
+}
+
+/// The first guess, or, if carrying strands takes them through each other, that of pins alone.
+bool ImplicitStep::find_reachable_guess(const Model& model, const State& state, double time_end) {
+  if (model.collision->can_reach(state.positions, positions_)) return true;
+  positions_ = state.positions;
+  place_pins(model, time_end, positions_);
+  return model.collision->can_reach(state.positions, positions_);
+}
+
+void ImplicitStep::finish(const Model& model, State& state, double dt, const StepRule& rule,
+                          StepReport& report) {
+  const auto v = state.velocities.rows();
+  const auto x = std::as_const(positions_).rows(), o = std::as_const(origin).rows();
+  for_each_row(model.groups, [&](int i) { v[i] = Pack(1 / rule.interval) * (x[i] - o[i]); });
+  std::swap(state.positions, positions_);
+  state.time += dt;
+  state.history.dt = dt;
+  report.kinetic_energy = kinetic_energy(model, state.velocities);
+}
+
+}  // namespace ringlet
