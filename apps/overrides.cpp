@@ -52,17 +52,19 @@ Json& entry_of(Json& json, const std::string& token) {
 
 }  // namespace
 
+void set_entry(Json& scene, const std::string& pointer, const Json& value) {
+  Json* entry = &scene;
+  for (const std::string& token : split_pointer(pointer)) entry = &entry_of(*entry, token);
+  *entry = value;
+}
+
 void apply_override(Json& scene, const std::string& assignment) {
   try {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos) throw Error("expected /pointer=value");
     const std::string text = assignment.substr(equals + 1);
-    Json* entry = &scene;
-    for (const std::string& token : split_pointer(assignment.substr(0, equals))) {
-      entry = &entry_of(*entry, token);
-    }
-    Json value = Json::parse(text, nullptr, false);
-    *entry = value.is_discarded() ? Json(text) : std::move(value);
+    const Json value = Json::parse(text, nullptr, false);
+    set_entry(scene, assignment.substr(0, equals), value.is_discarded() ? Json(text) : value);
   } catch (const Error& error) {
     throw Error("--set '" + assignment + "': " + error.what());
   }

@@ -26,5 +26,6 @@ Command verify_command();
 Command eval_command();
 Command bench_command();
 Command report_command();
+Command study_command();
 
 }  // namespace ringlet

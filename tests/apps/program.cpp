@@ -18,16 +18,8 @@ namespace ringlet {
 
 namespace fs = std::filesystem;
 
-Workplace::Workplace() {
-  std::string name = (fs::temp_directory_path() / "ringlet_test_XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot create a folder");
-  folder_ = name;
-}
-
-Workplace::~Workplace() { fs::remove_all(folder_); }
-
 std::string Workplace::write(const std::string& name, const std::string& text) const {
-  std::ofstream(folder_ / name) << text;
+  std::ofstream(folder() / name) << text;
   return name;
 }
 
@@ -38,13 +30,13 @@ int Workplace::start(const std::vector<std::string>& arguments) const {
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 
-  const std::string output = folder_ / "stdout.txt", errors = folder_ / "stderr.txt";
+  const std::string output = folder() / "stdout.txt", errors = folder() / "stderr.txt";
   const int flags = O_WRONLY | O_CREAT | O_TRUNC;
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), flags, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors.c_str(), flags, 0600);
-  posix_spawn_file_actions_addchdir_np(&actions, folder_.c_str());
+  posix_spawn_file_actions_addchdir_np(&actions, folder().c_str());
   pid_t process = -1;
   const int error = posix_spawn(&process, argv[0], &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
@@ -55,8 +47,8 @@ int Workplace::start(const std::vector<std::string>& arguments) const {
 ProgramResult Workplace::finish(int process) const {
   int status = 0;
   waitpid(process, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(folder_ / "stdout.txt"),
-          read_text(folder_ / "stderr.txt")};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(folder() / "stdout.txt"),
+          read_text(folder() / "stderr.txt")};
 }
 
 ProgramResult Workplace::run(const std::vector<std::string>& arguments) const {
@@ -67,7 +59,7 @@ ProgramResult Workplace::run_and_interrupt(const std::vector<std::string>& argum
                                            const std::string& results, int lines) const {
   const int process = start(arguments);
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(2);
-  while (count_lines(read_text(folder_ / results / "metrics.csv")) < lines) {
+  while (count_lines(read_text(folder() / results / "metrics.csv")) < lines) {
     if (std::chrono::steady_clock::now() > give_up) break;
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }

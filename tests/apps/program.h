@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/parameters.h"
+#include "tests/temporary_folder.h"
 
 namespace ringlet {
 
@@ -19,12 +20,7 @@ struct ProgramResult {
 /// Runs the program `ringlet` as a user would, in a folder of its own that is removed at the end.
 class Workplace {
  public:
-  Workplace();
-  ~Workplace();
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
-
-  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
   /// Writes a file into the folder and returns its name.
   std::string write(const std::string& name, const std::string& text) const;
   ProgramResult run(const std::vector<std::string>& arguments) const;
@@ -37,7 +33,7 @@ class Workplace {
   int start(const std::vector<std::string>& arguments) const;
   ProgramResult finish(int process) const;
 
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 std::string read_text(const std::filesystem::path& path);

@@ -127,8 +127,8 @@ TEST_CASE("writers are listed only if a scene has some, and then with their time
     const std::string file = place.write("s.json", scene.dump());
     REQUIRE(place.run({"run", file, "-o", "out"}).exit_code == 0);
     std::vector<double> seconds;
-    for (const Json& module :
-         Json::parse(read_text(place.folder() / "out/summary.json"))["modules"]) {
+    const Json summary = Json::parse(read_text(place.folder() / "out/summary.json"));
+    for (const Json& module : summary["modules"]) {
       if (module["kind"] == "writer") seconds.push_back(module["seconds"]);
     }
     return seconds;

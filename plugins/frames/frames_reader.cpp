@@ -1,0 +1,93 @@
+#include "plugins/frames/frames_reader.h"
+
+#include <cstring>
+#include <limits>
+
+#include "core/registry.h"
+
+namespace ringlet {
+namespace {
+
+constexpr std::int64_t words_bytes = sizeof frames_first_words - 1;
+
+template <class T>
+T take(const char*& from) {
+  T value;
+  std::memcpy(&value, from, sizeof value);
+  from += sizeof value;
+  return value;
+}
+
+template <class Number>
+Eigen::Matrix3Xd take_positions(const char*& from, std::int64_t vertices) {
+  Eigen::Matrix3Xd positions(3, vertices);
+  for (Eigen::Index i = 0; i < positions.size(); ++i) {
+    positions.data()[i] = static_cast<double>(take<Number>(from));
+  }
+  return positions;
+}
+
+}  // namespace
+
+FramesReader::FramesReader(std::filesystem::path path)
+    : path_(std::move(path)), file_(path_, std::ios::binary) {
+  if (!file_) fail("cannot be read");
+  read_header();
+}
+
+void FramesReader::fail(const std::string& what) const {
+  throw Error("'" + path_.string() + "': " + what);
+}
+
+void FramesReader::read_header() {
+  const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path_));
+  std::string start(words_bytes + 8, '\0');
+  file_.read(start.data(), words_bytes + 8);
+  if (!file_ || start.compare(0, words_bytes, frames_first_words) != 0) {
+    fail("expected a file that begins with '" + std::string(frames_first_words) + "'");
+  }
+  const char* at = start.data() + words_bytes;
+  const auto length = take<std::uint64_t>(at);
+  const std::int64_t left = size - words_bytes - 8;
+  if (length > static_cast<std::uint64_t>(left)) fail("its header is longer than the file");
+  std::string text(length, '\0');
+  file_.read(text.data(), static_cast<std::streamsize>(length));
+  const Json json = Json::parse(text, nullptr, false);
+  const Registry registry;
+  std::vector<Problem> problems;
+  ParseContext context{registry, ".", {}, problems};
+  FramesHeader::schema().read(json, "", context, header_);
+  if (!problems.empty()) fail("its header: " + problems[0].pointer + ": " + problems[0].message);
+  if (header_.vertex_count() > std::numeric_limits<int>::max()) fail("it has too many vertices");
+  first_frame_ = words_bytes + 8 + static_cast<std::int64_t>(length);
+}
+
+int FramesReader::count() const {
+  const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path_));
+  return static_cast<int>((size - first_frame_) / header_.frame_bytes());
+}
+
+StoredFrame FramesReader::read(int frame) {
+  if (frame < 0 || frame >= count()) {
+    fail("there is no frame " + std::to_string(frame) + " of " + std::to_string(count()));
+  }
+  std::string bytes(header_.frame_bytes(), '\0');
+  file_.clear();
+  file_.seekg(first_frame_ + frame * header_.frame_bytes());
+  file_.read(bytes.data(), header_.frame_bytes());
+  if (!file_) fail("frame " + std::to_string(frame) + " cannot be read");
+  const char* end = bytes.data() + bytes.size() - 8;
+  const auto expected = take<std::uint64_t>(end);
+  bytes.resize(bytes.size() - 8);
+  if (checksum(bytes) != expected) {
+    fail("frame " + std::to_string(frame) + " is damaged: its checksum is wrong");
+  }
+  const char* at = bytes.data();
+  StoredFrame stored{take<std::int64_t>(at), take<double>(at), {}};
+  stored.positions = header_.precision == FramePrecision::single
+                         ? take_positions<float>(at, header_.vertex_count())
+                         : take_positions<double>(at, header_.vertex_count());
+  return stored;
+}
+
+}  // namespace ringlet
