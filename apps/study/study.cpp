@@ -26,6 +26,11 @@ void write_text(const fs::path& path, const std::string& text) {
   file.commit();
 }
 
+std::string scene_name(const StudyFile& study) {
+  if (study.scene.is_string()) return fs::path(study.scene.get<std::string>()).stem().string();
+  return study.scene.is_null() ? "several scenes" : "a scene of its own";
+}
+
 Json describe_axes(const StudyFile& study) {
   Json axes = Json::array();
   for (const StudyAxis& axis : study.axes) {
@@ -58,7 +63,7 @@ class StudyRun {
         entries_(variants.variants.size()),
         progress_(static_cast<int>(variants.variants.size()) + (variants.reference ? 1 : 0),
                   options.quiet) {
-    results_ = {{"study", {{"name", name}, {"about", study.about}}},
+    results_ = {{"study", {{"name", name}, {"about", study.about}, {"scene", scene_name(study)}}},
                 {"duration", study.duration ? Json(*study.duration) : Json()},
                 {"compare_every", study.compare_every ? Json(*study.compare_every) : Json()},
                 {"repetitions", study.repetitions},
