@@ -16,7 +16,7 @@ Json small_study() {
   Json scene = small_scene();
   scene["strands"]["count"] = 3;
   scene["collision"] = nullptr;
-  scene["material"]["youngs_modulus"] = 1e3;
+  scene["material"]["youngs_modulus"] = 2e4;
   scene["integrator"] = {{"type", "bdf1"}, {"dt", 0.02}};
   return {{"scene", scene},
           {"duration", 0.2},
@@ -67,7 +67,7 @@ TEST_CASE("a study tells errors, times and the front, and a finer step has the s
   const double coarse_error = coarse["errors"]["mean_distance"],
                fine_error = fine["errors"]["mean_distance"];
   CHECK(fine_error > 0);
-  CHECK(coarse_error > 1.5 * fine_error);
+  CHECK(coarse_error > 1.1 * fine_error);
   const Json& front = results["fronts"]["mean_distance"];
   CHECK(front.back() == "dt=0.02");
   CHECK_FALSE(results["recommendations"]["mean_distance"].empty());
