@@ -29,7 +29,8 @@ SceneRun::SceneRun(const Scene& scene, Simulation& simulation, std::filesystem::
       folder_(std::move(folder)),
       metrics_(list_metrics(energy_names(simulation.model()),
                             left_out_energy_names(simulation.model()))),
-      metrics_file_(folder_ / "metrics.csv", metrics_) {
+      metrics_file_(folder_ / "metrics.csv", metrics_),
+      energy_watch_(simulation.model(), simulation.state()) {
   write_json(folder_ / "scene.resolved.json", scene.resolved());
   for (const auto& writer : scene.run.write) {
     observers_.push_back(writer.make());
@@ -85,8 +86,12 @@ void SceneRun::record_step(RunRecord& record, const StepReport& report, double s
   record.add(report, seconds);
   const Model& model = simulation_.model();
   const State& state = simulation_.state();
-  const StepSample sample{record.steps, state.time, seconds, report,
-                          measure_rest_distance(model, state.positions)};
+  const StepSample sample{record.steps,
+                          state.time,
+                          seconds,
+                          report,
+                          measure_rest_distance(model, state.positions),
+                          energy_watch_.rise_after(report)};
   std::vector<double> row;
   for (const Metric& metric : metrics_) row.push_back(metric.value(sample));
   metrics_file_.append(row);

@@ -29,6 +29,7 @@ class SceneRun {
   std::filesystem::path folder_;
   std::vector<Metric> metrics_;
   MetricsFile metrics_file_;
+  EnergyWatch energy_watch_;
   std::vector<std::unique_ptr<Observer>> observers_;
 };
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/kinetic_energy.h"
 #include "core/parallel.h"
+#include "core/registry.h"
 
 namespace ringlet {
 namespace {
@@ -51,6 +53,33 @@ RestDistance measure_rest_distance(const Model& model, const VertexField& positi
   return all;
 }
 
+double elastic_energy(const Model& model, const VertexField& positions) {
+  double sum = parallel_sum(model.groups.count(), [&](int g) {
+    double of_group = 0;
+    for (const auto& energy : model.energies) {
+      of_group += naming(*energy, [&] { return energy->add(g, positions.group(g), {}); });
+    }
+    return of_group;
+  });
+  for (const auto& coupling : model.couplings) {
+    sum += naming(*coupling, [&] { return coupling->add(positions, nullptr); });
+  }
+  return sum;
+}
+
+EnergyWatch::EnergyWatch(const Model& model, const State& state)
+    : last_(elastic_energy(model, state.positions) + kinetic_energy(model, state.velocities)),
+      largest_(last_) {}
+
+double EnergyWatch::rise_after(const StepReport& report) {
+  const double energy = std::accumulate(report.energies.begin(), report.energies.end(),
+                                        report.kinetic_energy + report.contact_energy);
+  largest_ = std::max(largest_, energy);
+  if (largest_ > 0) rise_ = std::max(rise_, (energy - last_) / largest_);
+  last_ = energy;
+  return rise_;
+}
+
 std::vector<Metric> list_metrics(const std::vector<std::string>& energy_types,
                                  const std::vector<std::string>& left_out) {
   using Sample = const StepSample&;
@@ -70,6 +99,7 @@ std::vector<Metric> list_metrics(const std::vector<std::string>& energy_types,
   for (Metric& energy : list_energies(energy_types, left_out)) metrics.push_back(std::move(energy));
   const std::vector<Metric> rest{
       {"contact_energy", [](Sample s) { return s.report.contact_energy; }},
+      {"energy_rise", [](Sample s) { return s.energy_rise; }},
       {"contacts",
        [](Sample s) {
          return s.report.contacts.strand_contacts + s.report.contacts.collider_contacts;

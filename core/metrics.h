@@ -17,6 +17,22 @@ struct RestDistance {
 };
 RestDistance measure_rest_distance(const Model& model, const VertexField& positions);
 
+/// The elastic energy of strands and couplings, J.
+double elastic_energy(const Model& model, const VertexField& positions);
+
+/// Whether energy comes from nowhere: watches kinetic, elastic and contact energy together.
+class EnergyWatch {
+ public:
+  /// From a state on; what contacts it has is not counted.
+  EnergyWatch(const Model& model, const State& state);
+  /// The largest rise from one step to the next so far, as a part of the largest energy so far.
+  double rise_after(const StepReport& report);
+
+ private:
+  double last_, largest_;
+  double rise_ = 0;
+};
+
 /// A step and what was seen of it.
 struct StepSample {
   int step;
@@ -24,6 +40,7 @@ struct StepSample {
   double seconds;  ///< that the step took
   const StepReport& report;
   RestDistance rest_distance;
+  double energy_rise = 0;  ///< of an EnergyWatch
 };
 
 /// A quantity that is measured after every step: a column of metrics.csv, and what a scene's

@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "core/registry.h"
+#include "core/stiffest_vertex.h"
 
 namespace ringlet {
 namespace {
@@ -109,9 +110,13 @@ Newton::Outcome Newton::iterate(Model& model, IncrementalPotential& potential, d
   report.newton_converged = assembled_.squared_gradient == 0;
   if (report.newton_converged) return Outcome::done;
   if (!find_direction(model, potential, x, dt, report)) {
+    const std::string stiffest =
+        describe_stiffest_vertex(model, x, dt).value_or("no energy resists");
     report.failure = describe_failure(
         model, x, report.newton_iterations,
-        "the linear solver found no direction in which the potential falls, even with mass added");
+        "the linear solver found no direction in which the potential falls, even with mass "
+        "added: " +
+            stiffest + "; longer edges, a smaller radius or modulus, or a smaller dt may help");
     return Outcome::failed;
   }
   // Of the whole update: a short step of the line search is no sign of being near the minimum.

@@ -57,8 +57,7 @@ class StudyRun {
  public:
   StudyRun(const std::string& name, const StudyFile& study, const StudyVariants& variants,
            const StudyOptions& options)
-      : study_(study),
-        variants_(variants),
+      : variants_(variants),
         options_(options),
         entries_(variants.variants.size()),
         progress_(static_cast<int>(variants.variants.size()) + (variants.reference ? 1 : 0),
@@ -152,7 +151,6 @@ class StudyRun {
     write_text(options_.folder / "results.csv", to_csv(results_));
   }
 
-  const StudyFile& study_;
   const StudyVariants& variants_;
   const StudyOptions& options_;
   const Interrupt interrupt_;

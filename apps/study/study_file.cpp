@@ -49,11 +49,11 @@ Schema<StudyAxis> StudyAxis::schema() {
            "the same, for several keys that take each value together")
       .required("values", &StudyAxis::values, "", any_number(),
                 "of the keys, one after the other; {\"label\": TEXT, \"value\": VALUE} names one")
-      .check([](StudyAxis& axis, const std::string& pointer, ParseContext& context) {
+      .check([](StudyAxis& axis, const std::string& place, ParseContext& context) {
         if (axis.pointer) axis.pointers.insert(axis.pointers.begin(), *axis.pointer);
-        if (axis.pointers.empty()) context.problem(pointer, "expected 'pointer' or 'pointers'");
+        if (axis.pointers.empty()) context.problem(place, "expected 'pointer' or 'pointers'");
         if (axis.values.empty()) {
-          context.problem(pointer_to(pointer, "values"), "expected at least one value");
+          context.problem(pointer_to(place, "values"), "expected at least one value");
         }
         if (axis.label.empty()) axis.label = axis.name;
       });

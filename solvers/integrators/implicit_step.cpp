@@ -5,7 +5,7 @@
 #include "core/registry.h"
 #include "core/simulation.h"
 #include "solvers/integrators/first_guess.h"
-#include "solvers/kinetic_energy.h"
+#include "core/kinetic_energy.h"
 
 namespace ringlet {
 

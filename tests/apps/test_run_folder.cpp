@@ -41,7 +41,7 @@ TEST_CASE("metrics and summary tell what happened") {
         "step,time,newton_iterations,newton_converged,newton_update,linear_iterations,"
         "linear_converged,linear_residual,line_search_halvings,substeps,local_error,kinetic_energy,"
         "energy_stretch,"
-        "energy_bending,energy_bending_2,contact_energy,contacts,strand_contacts,collider_contacts,"
+        "energy_bending,energy_bending_2,contact_energy,energy_rise,contacts,strand_contacts,collider_contacts,"
         "penetration,"
         "crossings,collider_depth,"
         "mean_rest_distance,max_rest_distance,detect_ms,couple_ms,evaluate_ms,solve_ms,line_search_"

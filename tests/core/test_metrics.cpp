@@ -42,3 +42,23 @@ TEST_CASE("the distance to the rest shape is relative to each strand's length") 
   CHECK(distance.mean == Approx((0.1 + 0.05) / 5));
   CHECK(distance.max == Approx(0.1));
 }
+
+TEST_CASE("energy that comes from nowhere is watched, in parts of the largest so far") {
+  const std::vector<Eigen::Vector3d> rest{{0, 0, 0}, {1, 0, 0}};
+  Model model(Strands({2}, rest, {}));
+  model.mass.assign(model.groups.rows(), Pack(2));
+  State state{0, positions_with_pads(model.groups, rest), VertexField(model.groups)};
+  state.velocities.set(0, {3, 0, 0});
+  EnergyWatch watch(model, state);  // 9 J
+  StepReport report;
+  report.energies = {4, 2};
+  report.contact_energy = 1;
+  report.kinetic_energy = 1;
+  CHECK(watch.rise_after(report) == 0);  // 8 J
+  report.kinetic_energy = 3;
+  CHECK(watch.rise_after(report) == Approx(2.0 / 10));  // 10 J
+  report.kinetic_energy = 4;
+  CHECK(watch.rise_after(report) == Approx(2.0 / 10));  // 11 J: a smaller rise
+  report.kinetic_energy = 33;
+  CHECK(watch.rise_after(report) == Approx(29.0 / 40));
+}

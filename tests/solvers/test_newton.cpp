@@ -1,6 +1,8 @@
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
+#include "core/stiffest_vertex.h"
 #include "solvers/newton.h"
 #include "tests/catch.h"
 #include "tests/solvers/random_system.h"
@@ -190,4 +192,20 @@ TEST_CASE("an exception of an energy is told with the name of the energy") {
   State state = rest_state(*model);
   const std::string expected = "energy '" + model->energies[0]->name() + "': out of luck";
   CHECK_THROWS_WITH(minimise(*model, {}, state, 0.01), expected);
+}
+
+TEST_CASE("the stiffest vertex is named with its energy, and how stiff it is") {
+  const auto model = make_model({3, 6}, true);
+  add_energy(*model, std::make_unique<Springs>(1e-3));
+  add_energy(*model, std::make_unique<Springs>(4e6));
+  const State state = rest_state(*model);
+  const auto text = describe_stiffest_vertex(*model, state.positions, 1);
+  REQUIRE(text);
+  // Two springs at every inner vertex, and half the mass of those at the tips.
+  const double ratio = 3 * 2 * 4e6 / model->strands.mass(1);
+  std::ostringstream expected;
+  expected.precision(2);
+  expected << ratio << " times as stiffly";
+  CHECK_THAT(*text, Catch::Contains("'energy 1' holds strand") && Catch::Contains(expected.str()));
+  CHECK_FALSE(describe_stiffest_vertex(*make_model({3}, true), state.positions, 1));
 }

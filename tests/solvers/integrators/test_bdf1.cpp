@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "solvers/kinetic_energy.h"
+#include "core/kinetic_energy.h"
 #include "tests/catch.h"
 #include "tests/solvers/test_model.h"
 
