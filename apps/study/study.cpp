@@ -97,8 +97,7 @@ class StudyRun {
   }
 
   std::string run_path(const Variant& variant) const {
-    return fs::relative(variant_folder(options_.folder, variant.name) / "1", options_.folder)
-        .string();
+    return fs::relative(variant_folder(options_.folder, variant) / "1", options_.folder).string();
   }
 
   void run_reference() {

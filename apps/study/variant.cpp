@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -30,6 +31,20 @@ void apply(Json& scene, const SceneChanges& changes) {
   for (const auto& [pointer, value] : changes) set_entry(scene, pointer, value);
 }
 
+constexpr std::size_t longest_folder_name = 100;
+
+/// Of what no file system minds.
+std::string folder_name(const std::string& name) {
+  std::string safe;
+  for (const char c : name.substr(0, longest_folder_name)) {
+    if (c == ' ') continue;
+    const bool is_safe = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                         std::string("=,.+-_").find(c) != std::string::npos;
+    safe += is_safe ? c : '_';
+  }
+  return safe.find_first_not_of('.') == std::string::npos ? "_" + safe : safe;
+}
+
 class Maker {
  public:
   Maker(const StudyFile& study, const fs::path& folder, Registry& registry)
@@ -47,6 +62,7 @@ class Maker {
       all.reference = complete("reference", base_, study_.reference->set, "/reference/set");
     }
     check_names(all);
+    name_folders(all);
     if (!problems_.empty()) throw InvalidInput(std::move(problems_));
     return all;
   }
@@ -127,6 +143,19 @@ class Maker {
     }
     all.as_it_stands = plain.name;
     all.variants.insert(all.variants.begin(), std::move(plain));
+  }
+
+  static void name_folders(StudyVariants& all) {
+    std::set<std::string> taken;
+    const auto name_folder = [&](Variant& variant) {
+      const std::string plain = folder_name(variant.name);
+      variant.folder = plain;
+      for (int number = 2; !taken.insert(variant.folder).second; ++number) {
+        variant.folder = plain + "_" + std::to_string(number);
+      }
+    };
+    if (all.reference) name_folder(*all.reference);
+    for (Variant& variant : all.variants) name_folder(variant);
   }
 
   void check_names(const StudyVariants& all) {

@@ -8,6 +8,7 @@ namespace ringlet {
 /// One run of a study: a whole scene, and what is special about it.
 struct Variant {
   std::string name;
+  std::string folder;                         ///< a name for its folder, no other has it
   std::map<std::string, std::string> values;  ///< of each axis, in words
   Json scene;                                 ///< every default and whole path written out
   std::string refusal;                        ///< not empty: why it cannot run

@@ -1,7 +1,5 @@
 #include "apps/study/variant_run.h"
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 
 #include "apps/build_info.h"
@@ -13,8 +11,6 @@ namespace ringlet {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t longest_name = 100;
 
 void write_json(const fs::path& path, const Json& json) {
   AtomicFile file(path);
@@ -45,19 +41,12 @@ Json request_of(const Variant& variant, int threads) {
 
 }  // namespace
 
-fs::path variant_folder(const fs::path& study, const std::string& name) {
-  std::string safe;
-  for (const char c : name.substr(0, longest_name)) {
-    if (c == ' ') continue;
-    const bool is_safe = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-                         std::string("=,.+-_").find(c) != std::string::npos;
-    safe += is_safe ? c : '_';
-  }
-  return study / "runs" / safe;
+fs::path variant_folder(const fs::path& study, const Variant& variant) {
+  return study / "runs" / variant.folder;
 }
 
 std::vector<fs::path> run_variant(const Variant& variant, const RunSettings& settings) {
-  const fs::path folder = variant_folder(settings.folder, variant.name);
+  const fs::path folder = variant_folder(settings.folder, variant);
   const Json request = request_of(variant, settings.threads);
   if (read_json(folder / "request.json") != request) fs::remove_all(folder);
   fs::create_directories(folder);

@@ -20,6 +20,6 @@ struct RunSettings {
 std::vector<std::filesystem::path> run_variant(const Variant& variant, const RunSettings& settings);
 
 /// The folder of a variant.
-std::filesystem::path variant_folder(const std::filesystem::path& study, const std::string& name);
+std::filesystem::path variant_folder(const std::filesystem::path& study, const Variant& variant);
 
 }  // namespace ringlet

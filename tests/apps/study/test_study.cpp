@@ -133,6 +133,21 @@ TEST_CASE("variants that are refused, fail, or are not as expected are told, and
   }
 }
 
+TEST_CASE("variants whose names look alike as names of files do not share a folder") {
+  const Workplace place;
+  Json study = small_study();
+  study["variants"] = {{{"name", "a b"}, {"set", {{"/material/density", 60}}}},
+                       {{"name", "ab"}, {"set", {{"/material/density", 70}}}},
+                       {{"name", "../a/b"}, {"set", {{"/material/density", 80}}}}};
+  place.write("steps.json", study.dump());
+  REQUIRE(place.run({"study", "steps.json", "-o", "out"}).exit_code == 0);
+  const Json results = results_in(place, "out");
+  CHECK(variant(results, "a b")["run"] == "runs/ab/1");
+  CHECK(variant(results, "ab")["run"] == "runs/ab_2/1");
+  CHECK(variant(results, "../a/b")["run"] == "runs/.._a_b/1");
+  CHECK(run_times(place.folder() / "out").size() == 6);
+}
+
 TEST_CASE("an interrupted study goes on where it was") {
   const Workplace place;
   Json study = small_study();
