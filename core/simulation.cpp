@@ -134,6 +134,7 @@ void Simulation::set_state(const State& state) {
   state_.positions.set_matrix(state.positions.matrix());
   state_.velocities.set_matrix(state.velocities.matrix());
   state_.history.dt = 0;
+  state_.history.still_steps.clear();
 }
 
 StepReport Simulation::step() {

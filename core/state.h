@@ -6,13 +6,15 @@
 
 namespace ringlet {
 
-/// What an integrator of several steps knows of the last one.
+/// What an integrator knows of the steps before.
 struct StepHistory {
   double dt = 0;                    ///< length of the last step, s; 0: there was none
   std::vector<VertexField> fields;  ///< as the integrator says
+  /// Of each group of strands, for how many steps it has been at rest; empty where nobody sleeps.
+  std::vector<int> still_steps;
 
   std::size_t bytes() const {
-    std::size_t sum = 0;
+    std::size_t sum = bytes_of(still_steps);
     for (const VertexField& field : fields) sum += field.bytes();
     return sum;
   }

@@ -41,6 +41,8 @@ class Newton {
   void minimise(Model& model, IncrementalPotential& potential, double dt, VertexField& x,
                 StepReport& report);
 
+  /// Contacts and couplings as they were last evaluated.
+  const Couplings& couplings() const { return matrix_->couplings; }
   /// The memory that it holds, the matrix included.
   std::size_t bytes() const;
 

@@ -14,8 +14,7 @@ namespace {
 
 class Bdf1 final : public Integrator {
  public:
-  explicit Bdf1(const ImplicitParameters& parameters)
-      : dt_(parameters.dt), implicit_(parameters.newton) {}
+  explicit Bdf1(const ImplicitParameters& parameters) : dt_(parameters.dt), implicit_(parameters) {}
 
   double time_step() const override { return dt_; }
   int order() const override { return 1; }

@@ -24,8 +24,7 @@ namespace {
 
 class Bdf2 final : public Integrator {
  public:
-  explicit Bdf2(const ImplicitParameters& parameters)
-      : dt_(parameters.dt), implicit_(parameters.newton) {}
+  explicit Bdf2(const ImplicitParameters& parameters) : dt_(parameters.dt), implicit_(parameters) {}
 
   double time_step() const override { return dt_; }
   int order() const override { return 2; }

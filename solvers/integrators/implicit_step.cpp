@@ -2,10 +2,10 @@
 
 #include <utility>
 
+#include "core/kinetic_energy.h"
 #include "core/registry.h"
 #include "core/simulation.h"
 #include "solvers/integrators/first_guess.h"
-#include "core/kinetic_energy.h"
 
 namespace ringlet {
 
@@ -13,6 +13,7 @@ void ImplicitStep::bind(const Model& model) {
   target = origin = positions_ = VertexField(model.groups);
   potential_.emplace(model, target, 1);
   newton_.bind(model);
+  sleepers_.bind(model);
 }
 
 std::size_t ImplicitStep::bytes() const {
@@ -24,6 +25,7 @@ StepReport ImplicitStep::solve(Model& model, const State& state, double dt, cons
   StepReport report;
   const double time_end = state.time + dt;
   guess(model, state, dt);
+  sleepers_.hold(model, state, positions_);
   begin_step(model, state, dt, {origin, rule.interval});
   if (model.collision) {
     const StageTimer timer(report.seconds.detect);
@@ -66,6 +68,7 @@ void ImplicitStep::finish(const Model& model, State& state, double dt, const Ste
   std::swap(state.positions, positions_);
   state.time += dt;
   state.history.dt = dt;
+  sleepers_.look(model, state, dt, newton_.couplings());
   report.kinetic_energy = kinetic_energy(model, state.velocities);
 }
 

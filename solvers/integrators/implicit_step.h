@@ -5,7 +5,7 @@
 #include "core/incremental_potential.h"
 #include "core/parallel.h"
 #include "core/state.h"
-#include "solvers/newton.h"
+#include "solvers/integrators/implicit_parameters.h"
 
 namespace ringlet {
 
@@ -23,7 +23,8 @@ struct StepRule {
 /// One step of any such method: first guess, collisions, Newton's method, the new state.
 class ImplicitStep {
  public:
-  explicit ImplicitStep(const NewtonParameters& parameters) : newton_(parameters) {}
+  explicit ImplicitStep(const ImplicitParameters& parameters)
+      : newton_(parameters.newton), sleepers_(parameters.sleep) {}
 
   /// Allocates for a model. Called once.
   void bind(const Model& model);
@@ -44,6 +45,7 @@ class ImplicitStep {
   bool find_reachable_guess(const Model& model, const State& state, double time_end);
 
   Newton newton_;
+  Sleepers sleepers_;
   VertexField positions_;
   std::optional<IncrementalPotential> potential_;
 };

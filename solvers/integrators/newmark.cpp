@@ -39,9 +39,7 @@ struct NewmarkParameters {
 class Newmark final : public Integrator {
  public:
   explicit Newmark(const NewmarkParameters& parameters)
-      : dt_(parameters.implicit.dt),
-        gamma_(parameters.gamma),
-        implicit_(parameters.implicit.newton) {}
+      : dt_(parameters.implicit.dt), gamma_(parameters.gamma), implicit_(parameters.implicit) {}
 
   double time_step() const override { return dt_; }
   int order() const override { return gamma_ == 0.5 ? 2 : 1; }

@@ -14,7 +14,7 @@ namespace ringlet {
 namespace {
 
 struct QuasistaticParameters {
-  ImplicitParameters implicit{1.0 / 30, {.newton_iterations = 200}};
+  ImplicitParameters implicit{1.0 / 30, {.newton_iterations = 200}, {}};
 
   static Schema<QuasistaticParameters> schema() {
     return Schema<QuasistaticParameters>().include(&QuasistaticParameters::implicit);
@@ -24,7 +24,7 @@ struct QuasistaticParameters {
 class Quasistatic final : public Integrator {
  public:
   explicit Quasistatic(const ImplicitParameters& parameters)
-      : dt_(parameters.dt), implicit_(parameters.newton) {}
+      : dt_(parameters.dt), implicit_(parameters) {}
 
   double time_step() const override { return dt_; }
   int order() const override { return 1; }
