@@ -40,7 +40,7 @@ double free_part_of_segments(const std::array<Eigen::Vector3d, 4>& from,
         const double rate = direction.dot(motion[i] - motion[j]);
         // Rounding has turned the direction too far for it to say anything.
         if (gap < left) return part;
-      if (rate < 0) until = std::min(until, part + (gap - left) / -rate);
+        if (rate < 0) until = std::min(until, part + (gap - left) / -rate);
       }
     }
     return until;

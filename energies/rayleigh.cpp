@@ -1,7 +1,7 @@
 // Rayleigh damping: a force -D v with D = alpha M + beta K(x_n), where M are the masses and K is
 // the filtered Hessian of the elastic energies at the start of the step. Over a step with
-// v = (x - o) / h at its end (core/step_start.h) it comes from the incremental potential h/2 v . D v
-// (math.md, section 6).
+// v = (x - o) / h at its end (core/step_start.h) it comes from the incremental potential h/2 v . D
+// v (math.md, section 6).
 
 #include "core/force.h"
 #include "core/parallel.h"

@@ -11,7 +11,8 @@ NewtonSystem::NewtonSystem(const Simulation& simulation, double dt)
     model_.collision->begin_step(state.positions, state.time + dt, dt);
     model_.collision->detect(x_);
   }
-  for (const auto& force : model_.forces) force->begin_step({state, dt, model_.energies, {state.positions, dt}});
+  for (const auto& force : model_.forces)
+    force->begin_step({state, dt, model_.energies, {state.positions, dt}});
 }
 
 int NewtonSystem::contacts() const {
