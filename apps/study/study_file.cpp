@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/overrides.h"
 #include "apps/study/error_measures.h"
 #include "core/scene.h"
 
