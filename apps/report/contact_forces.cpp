@@ -7,7 +7,6 @@
 #include "core/couplings.h"
 #include "core/scene.h"
 #include "core/simulation.h"
-#include "plugins/vtp/vtp_reader.h"
 
 namespace ringlet {
 
@@ -32,14 +31,6 @@ void leave_out_motion(Json& collision) {
   if (collision.contains("audit")) collision["audit"] = false;
 }
 
-void check_strands(const Strands& strands, const VtpFrame& frame) {
-  bool same = strands.count() == static_cast<int>(frame.offsets.size());
-  for (int strand = 0; same && strand < strands.count(); ++strand) {
-    same = strands.first(strand + 1) == frame.offsets[strand];
-  }
-  if (!same) throw Error("the frames do not hold the strands of the scene");
-}
-
 }  // namespace
 
 ContactForces::ContactForces(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -53,14 +44,19 @@ std::unique_ptr<ContactForces> ContactForces::of_scene(Json scene, const Registr
   return std::unique_ptr<ContactForces>(new ContactForces(std::move(parts)));
 }
 
-std::vector<float> ContactForces::at(const VtpFrame& frame) {
-  const Model& model = parts_->model();
-  check_strands(model.strands, frame);
-  VertexField& x = parts_->positions;
-  for (int v = 0; v < model.strands.vertex_count(); ++v) {
-    const float* point = &frame.points[3 * static_cast<std::size_t>(v)];
-    x.set(v, {point[0], point[1], point[2]});
+bool ContactForces::is_of(const std::vector<int>& vertex_counts) const {
+  const Strands& strands = parts_->model().strands;
+  bool same = strands.count() == static_cast<int>(vertex_counts.size());
+  for (int strand = 0; same && strand < strands.count(); ++strand) {
+    same = strands.size(strand) == vertex_counts[strand];
   }
+  return same;
+}
+
+std::vector<float> ContactForces::at(const RunFrame& frame) {
+  const Model& model = parts_->model();
+  VertexField& x = parts_->positions;
+  x.set_matrix(frame.positions);
   // A stage sees a step that ends where it began.
   CollisionStage& collision = *model.collision;
   collision.begin_step(x, frame.time, 1);
@@ -74,7 +70,7 @@ std::vector<float> ContactForces::at(const VtpFrame& frame) {
   for (int g = 0; g < model.groups.count(); ++g) {
     parts_->couplings.add_gradient(g, gradient.group(g));
   }
-  std::vector<float> forces(frame.radii.size());
+  std::vector<float> forces(model.strands.vertex_count());
   for (std::size_t v = 0; v < forces.size(); ++v) {
     forces[v] = static_cast<float>(gradient.get(static_cast<int>(v)).norm());
   }

@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "core/registry.h"
+#include "plugins/run_frames.h"
 
 namespace ringlet {
-
-struct VtpFrame;
 
 /// How hard contacts push each vertex of a frame, as the collision stage of its scene says.
 class ContactForces {
@@ -18,12 +17,14 @@ class ContactForces {
   /// plugin or a file is not there any more.
   static std::unique_ptr<ContactForces> of_scene(Json scene, const Registry& registry,
                                                  const std::filesystem::path& folder);
+  /// Whether frames with so many vertices a strand are of the scene.
+  bool is_of(const std::vector<int>& vertex_counts) const;
   ~ContactForces();
   ContactForces(const ContactForces&) = delete;
   ContactForces& operator=(const ContactForces&) = delete;
 
-  /// N, one a vertex, without friction. Throws Error if the strands are not those of the scene.
-  std::vector<float> at(const VtpFrame& frame);
+  /// N, one a vertex, without friction. Throws Error if the stage cannot tell.
+  std::vector<float> at(const RunFrame& frame);
 
  private:
   struct Parts;

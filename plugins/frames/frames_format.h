@@ -8,14 +8,15 @@
 
 namespace ringlet {
 
-/// frames.bin: the first words, the length of a header (8 bytes), the header (JSON), and frames of
-/// one size, appended one by one:
+/// frames.bin: the first words, the length of a header (8 bytes), the header (JSON), the radii (a
+/// float a vertex, m), CRC-32 of header and radii (uint64), and frames of one size, appended one by
+/// one:
 ///
 ///     step (int64), time (double, s), positions (3 numbers a vertex, m), CRC-32 of these (uint64)
 ///
 /// in the byte order of the machine, which is little endian. What is on disk is whole up to the
 /// last complete frame, however the writer ended.
-inline constexpr char frames_first_words[] = "ringlet frames 1";  // 16 bytes without the end
+inline constexpr char frames_first_words[] = "ringlet frames 2";  // 16 bytes without the end
 
 enum class FramePrecision { twice, single };
 
@@ -36,6 +37,7 @@ struct FramesHeader {
         .required("precision", &FramesHeader::precision, "", any_number(), "of the positions");
   }
   std::int64_t vertex_count() const;
+  std::int64_t radii_bytes() const { return 4 * vertex_count(); }
   /// Of a frame with its checksum.
   std::int64_t frame_bytes() const;
 };

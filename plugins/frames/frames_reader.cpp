@@ -8,7 +8,7 @@
 namespace ringlet {
 namespace {
 
-constexpr std::int64_t words_bytes = sizeof frames_first_words - 1;
+constexpr std::int64_t words_bytes = sizeof frames_first_words - 1, checksum_bytes = 8;
 
 template <class T>
 T take(const char*& from) {
@@ -59,7 +59,24 @@ void FramesReader::read_header() {
   FramesHeader::schema().read(json, "", context, header_);
   if (!problems.empty()) fail("its header: " + problems[0].pointer + ": " + problems[0].message);
   if (header_.vertex_count() > std::numeric_limits<int>::max()) fail("it has too many vertices");
-  first_frame_ = words_bytes + 8 + static_cast<std::int64_t>(length);
+  first_frame_ =
+      words_bytes + 8 + static_cast<std::int64_t>(length) + header_.radii_bytes() + checksum_bytes;
+  if (first_frame_ > size) fail("it ends before its first frame");
+  read_radii(text);
+}
+
+void FramesReader::read_radii(const std::string& header) {
+  std::string bytes(header_.radii_bytes(), '\0'), end(checksum_bytes, '\0');
+  file_.read(bytes.data(), header_.radii_bytes());
+  file_.read(end.data(), checksum_bytes);
+  const char* at = end.data();
+  if (!file_ || checksum(header + bytes) != take<std::uint64_t>(at)) {
+    fail("its head is damaged: the checksum is wrong");
+  }
+  at = bytes.data();
+  for (std::int64_t v = 0; v < header_.vertex_count(); ++v) {
+    radii_.push_back(static_cast<double>(take<float>(at)));
+  }
 }
 
 int FramesReader::count() const {
@@ -67,18 +84,29 @@ int FramesReader::count() const {
   return static_cast<int>((size - first_frame_) / header_.frame_bytes());
 }
 
-StoredFrame FramesReader::read(int frame) {
+std::string FramesReader::read_bytes(int frame, std::int64_t count_of_bytes) {
   if (frame < 0 || frame >= count()) {
     fail("there is no frame " + std::to_string(frame) + " of " + std::to_string(count()));
   }
-  std::string bytes(header_.frame_bytes(), '\0');
+  std::string bytes(count_of_bytes, '\0');
   file_.clear();
   file_.seekg(first_frame_ + frame * header_.frame_bytes());
-  file_.read(bytes.data(), header_.frame_bytes());
+  file_.read(bytes.data(), count_of_bytes);
   if (!file_) fail("frame " + std::to_string(frame) + " cannot be read");
-  const char* end = bytes.data() + bytes.size() - 8;
+  return bytes;
+}
+
+std::int64_t FramesReader::step(int frame) {
+  const std::string bytes = read_bytes(frame, 8);
+  const char* at = bytes.data();
+  return take<std::int64_t>(at);
+}
+
+StoredFrame FramesReader::read(int frame) {
+  std::string bytes = read_bytes(frame, header_.frame_bytes());
+  const char* end = bytes.data() + bytes.size() - checksum_bytes;
   const auto expected = take<std::uint64_t>(end);
-  bytes.resize(bytes.size() - 8);
+  bytes.resize(bytes.size() - checksum_bytes);
   if (checksum(bytes) != expected) {
     fail("frame " + std::to_string(frame) + " is damaged: its checksum is wrong");
   }

@@ -22,18 +22,24 @@ class FramesReader {
   explicit FramesReader(std::filesystem::path path);
 
   const FramesHeader& header() const { return header_; }
+  const std::vector<double>& radii() const { return radii_; }  ///< m, one a vertex
   /// Complete frames, as many as there are now.
   int count() const;
+  /// Of a frame. Throws Error if there is no such frame.
+  std::int64_t step(int frame);
   /// Throws Error if there is no such frame, or if its checksum is wrong.
   StoredFrame read(int frame);
 
  private:
   [[noreturn]] void fail(const std::string& what) const;
   void read_header();
+  void read_radii(const std::string& header);
+  std::string read_bytes(int frame, std::int64_t count);
 
   std::filesystem::path path_;
   std::ifstream file_;
   FramesHeader header_;
+  std::vector<double> radii_;
   std::int64_t first_frame_ = 0;  ///< its place in the file
 };
 

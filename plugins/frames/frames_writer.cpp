@@ -28,10 +28,14 @@ void FramesWriter::begin(const Model& model, const State& state,
   for (int strand = 0; strand < model.strands.count(); ++strand) {
     header.vertex_counts.push_back(model.strands.size(strand));
   }
-  const std::string text = FramesHeader::schema().write(header).dump();
+  std::string head = FramesHeader::schema().write(header).dump();
   std::string bytes = frames_first_words;
-  append_bytes(bytes, static_cast<std::uint64_t>(text.size()));
-  write(bytes + text);
+  append_bytes(bytes, static_cast<std::uint64_t>(head.size()));
+  for (int v = 0; v < model.strands.vertex_count(); ++v) {
+    append_bytes(head, static_cast<float>(model.strands.radius(v)));
+  }
+  append_bytes(head, checksum(head));
+  write(bytes + head);
   append(state, 0);
 }
 

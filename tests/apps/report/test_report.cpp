@@ -92,6 +92,17 @@ TEST_CASE("a report holds every frame, as exactly as it says") {
   CHECK(notes_contain(content, "rounded to 16 bits"));
 }
 
+TEST_CASE("a report of frames.bin is that of the same frames as .vtp") {
+  Json scene = small_scene();
+  const ReportContent vtp = Run(scene).report();
+  scene["run"]["write"] = {"frames"};
+  const ReportContent binary = Run(scene).report();
+  CHECK(binary.frames == vtp.frames);
+  CHECK(binary.contacts == vtp.contacts);
+  CHECK(binary.record["strands"] == vtp.record["strands"]);
+  CHECK(binary.record["frames"] == vtp.record["frames"]);
+}
+
 TEST_CASE("a report holds the metrics, the scene and what it was computed with") {
   const Run run;
   const Json record = run.report().record;
@@ -199,7 +210,7 @@ TEST_CASE("a report of what is no run, or has no frames, is refused") {
   CHECK_THAT(refusal(run.place.folder() / "absent"), Catch::Contains("is no folder of results"));
   fs::remove_all(run.folder() / "frames");
   CHECK_THAT(refusal(run.folder()),
-             Catch::Contains("has no frame to show") && Catch::Contains("\"write\": [\"vtp\"]"));
+             Catch::Contains("has no frame") && Catch::Contains("\"write\": [\"frames\"]"));
   const ProgramResult result = run.place.run({"report", "absent"});
   CHECK(result.exit_code == 2);
   CHECK_FALSE(fs::exists(run.place.folder() / "absent"));

@@ -53,6 +53,8 @@ TEST_CASE("frames are read back, in double precision to the bit") {
     run.writer.end(run.model, run.state, 5);
     FramesReader reader(run.path());
     CHECK(reader.header().vertex_counts == std::vector<int>{2, 3});
+    REQUIRE(reader.radii().size() == 5);
+    CHECK(reader.radii()[4] == Approx(run.model.strands.radius(4)));
     REQUIRE(reader.count() == 4);
     const std::vector<int> steps{0, 2, 4, 5};
     for (int i = 0; i < 4; ++i) {
@@ -96,8 +98,10 @@ TEST_CASE("a damaged file of frames is refused with the reason") {
            {whole.substr(0, 30), "longer than the file"},
            {whole.substr(0, 16) + std::string(8, '\x7f') + whole.substr(24),
             "longer than the file"},
-           {std::string("ringlet frames 1\2\0\0\0\0\0\0\0{}", 26), "vertex_counts"},
-           {std::string("ringlet frames 1\2\0\0\0\0\0\0\0[[", 26), "expected an object"}}) {
+           {whole.substr(0, 90), "ends before its first frame"},
+           {std::string(whole).replace(40, 1, "#"), "its head"},
+           {std::string("ringlet frames 2\2\0\0\0\0\0\0\0{}", 26), "vertex_counts"},
+           {std::string("ringlet frames 2\2\0\0\0\0\0\0\0[[", 26), "expected an object"}}) {
     CAPTURE(reason);
     overwrite(run.path(), bytes);
     CHECK_THROWS_WITH(FramesReader(run.path()), Catch::Contains(reason));
