@@ -13,6 +13,7 @@ namespace ringlet {
 struct Polylines {
   std::vector<int> vertex_counts;          ///< of each strand, root first
   std::vector<Eigen::Vector3d> positions;  ///< finite; all vertices, strand after strand
+  std::vector<double> radii;               ///< finite, >= 0; of each vertex, or none
 };
 
 /// Reads the strands of a file format. A reader is registered under the extension of its files

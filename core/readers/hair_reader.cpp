@@ -1,7 +1,8 @@
 // The .hair format of Cem Yuksel. Little endian: a header of 128 bytes, then the arrays whose bit
-// is set in it: u16 segments of each strand, f32 points, thickness, transparency, colours. Radii
-// come from the scene's material, so only segments and points are read. Source:
+// is set in it: u16 segments of each strand, f32 points, thickness, transparency, colours.
+// Thickness is taken for the diameter; transparency and colours are not read. Source:
 // http://www.cemyuksel.com/research/hairmodels
+#include <cmath>
 #include <limits>
 
 #include "core/readers/byte_reader.h"
@@ -15,7 +16,9 @@ struct Header {
   std::uint32_t strands;
   std::uint32_t points;
   bool has_segments;
+  bool has_thickness;
   std::uint32_t default_segments;
+  float default_thickness;
 };
 
 std::string in_words(std::uint64_t count, const std::string& noun) {
@@ -34,11 +37,13 @@ Header take_header(ByteReader& bytes) {
   header.has_segments = (arrays & 1u) != 0;
   if ((arrays & 2u) == 0) bytes.fail("expected bit 1 of the arrays set: the file has no points");
   header.default_segments = bytes.take<std::uint32_t>("default number of segments");
-  bytes.skip(128 - 20, "header");
+  header.has_thickness = (arrays & 4u) != 0;
+  header.default_thickness = bytes.take<float>("default thickness");
+  bytes.skip(128 - 24, "header");
 
   const std::uint64_t per_strand = header.has_segments ? 2 : 0;
-  const std::uint64_t per_point = 12 + ((arrays & 4u) != 0 ? 4 : 0) + ((arrays & 8u) != 0 ? 4 : 0) +
-                                  ((arrays & 16u) != 0 ? 12 : 0);
+  const std::uint64_t per_point = 12 + (header.has_thickness ? 4 : 0) +
+                                  ((arrays & 8u) != 0 ? 4 : 0) + ((arrays & 16u) != 0 ? 12 : 0);
   bytes.require(
       per_strand * header.strands + per_point * header.points,
       "arrays of " + in_words(header.strands, "strands and ") + in_words(header.points, "points"));
@@ -66,6 +71,19 @@ std::vector<int> take_vertex_counts(ByteReader& bytes, const Header& header) {
   return counts;
 }
 
+// None if any of them makes no sense: a simulation does not need them.
+std::vector<double> take_radii(ByteReader& bytes, const Header& header) {
+  std::vector<double> radii;
+  if (!header.has_thickness && header.default_thickness == 0) return radii;
+  for (std::uint32_t i = 0; i < header.points; ++i) {
+    const float thickness =
+        header.has_thickness ? bytes.take<float>("thickness") : header.default_thickness;
+    if (!(thickness >= 0) || !std::isfinite(thickness)) return {};
+    radii.push_back(0.5 * static_cast<double>(thickness));
+  }
+  return radii;
+}
+
 class HairReader final : public StrandReader {
  public:
   Polylines read(const std::filesystem::path& file) const override {
@@ -77,6 +95,7 @@ class HairReader final : public StrandReader {
     for (std::uint32_t i = 0; i < header.points; ++i) {
       polylines.positions.push_back(bytes.take_point());
     }
+    polylines.radii = take_radii(bytes, header);
     return polylines;
   }
 };

@@ -107,7 +107,7 @@ class FileSource final : public StrandSource {
 
 void register_file(Registry& registry) {
   registry.of<StrandSource>().add<StrandFile>(
-      "file", {"strands of a file: .hair, .data, .obj polylines", "", ""},
+      "file", {"strands of a file that a strand reader reads: .hair, .obj, .ply, ...", "", ""},
       [](const StrandFile& file) { return std::make_unique<FileSource>(file); });
 }
 

@@ -17,7 +17,7 @@ double median_edge(const Polylines& polylines);
 /// Merges every vertex that is no further than minimum_edge from the one kept before it into that
 /// one, from the root on, and drops strands of fewer than two vertices. Afterwards every edge is
 /// longer than minimum_edge, so that with 0 only coinciding vertices go; a strand may lose up to
-/// minimum_edge at its tip.
+/// minimum_edge at its tip. Radii are dropped: those of a simulation are its material's.
 MergeReport merge_short_edges(Polylines& polylines, double minimum_edge);
 
 }  // namespace ringlet

@@ -31,12 +31,25 @@ TEST_CASE("a .hair file with all arrays is read") {
   REQUIRE(read.positions.size() == 5);
   CHECK(read.positions[1] == Eigen::Vector3d(1, 0, 0));
   CHECK(read.positions[4] == Eigen::Vector3d(0, 7, 0.5));
+  CHECK(read.radii == std::vector<double>(5, 0.25));
 }
 
 TEST_CASE("a .hair file may give the number of segments once for all") {
   const Polylines read =
       read_as("hair", header(2, 4, 2, 1) + bytes_of_points(std::vector<float>(12, 1)));
   CHECK(read.vertex_counts == std::vector<int>{2, 2});
+  CHECK(read.radii.empty());
+}
+
+TEST_CASE(
+    "a .hair file may give the thickness once for all, and no thickness that makes no sense") {
+  const auto read = [](float thickness) {
+    const std::string head = header(1, 2, 2, 1).replace(20, 4, bytes_of(thickness));
+    return read_as("hair", head + bytes_of_points(std::vector<float>(6, 1))).radii;
+  };
+  CHECK(read(0.5f) == std::vector<double>{0.25, 0.25});
+  CHECK(read(-1.0f).empty());
+  CHECK(read(std::numeric_limits<float>::quiet_NaN()).empty());
 }
 
 TEST_CASE("damaged .hair files are refused, never crashed on") {
