@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/keep_lines.h"
 
 namespace ringlet {
 
@@ -13,6 +14,12 @@ MetricsFile::MetricsFile(const std::filesystem::path& path, std::span<const Metr
   std::vector<std::string> names;
   for (const Metric& metric : metrics) names.push_back(metric.name);
   write_line(fmt::format("{}\n", fmt::join(names, ",")));
+}
+
+MetricsFile::MetricsFile(const std::filesystem::path& path, int step) : path_(path) {
+  const int head = 1;
+  keep_lines(path, head + step);
+  file_.open(path, std::ios::app);
 }
 
 void MetricsFile::append(std::span<const double> row) {

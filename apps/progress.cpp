@@ -17,8 +17,8 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-Progress::Progress(int steps, bool quiet)
-    : steps_(steps), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(int first, int steps, bool quiet)
+    : first_(first), steps_(steps), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
   if (line_open_) std::fputs("\n", stderr);
@@ -30,10 +30,11 @@ void Progress::show(int step, const StepReport& report) {
   const auto pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(1000);
   if (step < steps_ && now - last_shown_ < pause) return;
   last_shown_ = now;
+  const int done = step - first_;
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const std::string text = fmt::format(
       "step {}/{}  {:.3g} steps/s  {:.3g} ms/step  left {}  contacts {}  newton {}", step, steps_,
-      step / seconds, 1e3 * seconds / step, clock_text(seconds / step * (steps_ - step)),
+      done / seconds, 1e3 * seconds / done, clock_text(seconds / done * (steps_ - step)),
       report.contacts.strand_contacts + report.contacts.collider_contacts,
       report.newton_iterations);
   if (terminal_) {

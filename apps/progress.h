@@ -10,7 +10,8 @@ namespace ringlet {
 /// otherwise.
 class Progress {
  public:
-  Progress(int steps, bool quiet);
+  /// Of the steps after `first`.
+  Progress(int first, int steps, bool quiet);
   /// Ends the line on the terminal.
   ~Progress();
   Progress(const Progress&) = delete;
@@ -21,6 +22,7 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
+  int first_;
   int steps_;
   bool quiet_;
   bool terminal_;

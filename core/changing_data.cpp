@@ -1,6 +1,9 @@
 #include "core/changing_data.h"
 
 #include <algorithm>
+#include <string>
+
+#include "core/error.h"
 
 namespace ringlet {
 namespace {
@@ -19,6 +22,14 @@ void ChangingData::save(Model& model) {
   for_each_part(model, [&](std::span<const std::byte> part) {
     bytes_.insert(bytes_.end(), part.begin(), part.end());
   });
+}
+
+void ChangingData::set_data(std::vector<std::byte> data) {
+  if (data.size() != bytes_.size()) {
+    throw Error("what its terms change are " + std::to_string(data.size()) + " bytes; expected " +
+                std::to_string(bytes_.size()));
+  }
+  bytes_ = std::move(data);
 }
 
 void ChangingData::restore(Model& model) const {

@@ -16,6 +16,10 @@ class ChangingData {
   /// As it was when last saved.
   void restore(Model& model) const;
   std::size_t bytes() const { return bytes_of(bytes_); }
+  std::span<const std::byte> data() const { return bytes_; }
+  /// Data of another model of the same scene, for restore(). Throws Error if it is not as long as
+  /// what was saved last.
+  void set_data(std::vector<std::byte> data);
 
  private:
   std::vector<std::byte> bytes_;

@@ -95,6 +95,7 @@ std::vector<Metric> list_metrics(const std::vector<std::string>& energy_types,
       {"line_search_halvings", [](Sample s) { return s.report.line_search_halvings; }},
       {"substeps", [](Sample s) { return s.report.substeps; }},
       {"local_error", [](Sample s) { return s.report.local_error; }},
+      {"local_error_met", [](Sample s) { return s.report.local_error_met; }},
       {"kinetic_energy", [](Sample s) { return s.report.kinetic_energy; }}};
   for (Metric& energy : list_energies(energy_types, left_out)) metrics.push_back(std::move(energy));
   const std::vector<Metric> rest{

@@ -1,8 +1,6 @@
 #include "core/scene.h"
 
 #include <algorithm>
-#include <fstream>
-#include <set>
 
 #include "core/load_plugin.h"
 #include "core/metrics.h"
@@ -67,7 +65,11 @@ struct Codec<std::vector<Choice<StrandSource>>> {
 Schema<RunParameters> RunParameters::schema() {
   return Schema<RunParameters>()
       .key("steps", &RunParameters::steps, "", at_least(0), "number of time steps")
-      .key("write", &RunParameters::write, "", any_number(), "writers of the run folder");
+      .key("write", &RunParameters::write, "", any_number(), "writers of the run folder")
+      .key("checkpoint_seconds", &RunParameters::checkpoint_seconds, "s", at_least(0),
+           "from one checkpoint to the next, after which `ringlet run --resume` goes on, of the "
+           "time "
+           "that the run takes; 0: there are none");
 }
 
 Schema<Expectation> Expectation::schema() {
@@ -105,32 +107,6 @@ Schema<Scene> Scene::schema() {
       .key("integrator", &Scene::integrator, "", any_number(), "advances time")
       .key("run", &Scene::run, "", any_number(), "how long, and what is written")
       .key("expect", &Scene::expect, "", any_number(), "bounds that a run of the scene must meet");
-}
-
-Json load_json(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file) throw Error("cannot open '" + path.string() + "'");
-  std::vector<std::set<std::string>> keys_of_open_objects;
-  std::vector<std::string> repeated;
-  const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
-    if (event == Json::parse_event_t::object_start) keys_of_open_objects.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys_of_open_objects.pop_back();
-    if (event == Json::parse_event_t::key &&
-        !keys_of_open_objects.back().insert(parsed.get<std::string>()).second) {
-      repeated.push_back(parsed.get<std::string>());
-    }
-    return true;
-  };
-  try {
-    Json json = Json::parse(file, watch, true, true);
-    if (!repeated.empty()) {
-      throw Error("'" + path.string() + "': the key '" + repeated.front() +
-                  "' stands twice in one object");
-    }
-    return json;
-  } catch (const Json::exception& error) {
-    throw Error("'" + path.string() + "' is not valid JSON: " + error.what());
-  }
 }
 
 namespace {

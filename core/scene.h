@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/json_file.h"
 #include "core/material_field.h"
 #include "core/registry.h"
 
@@ -15,6 +16,7 @@ namespace ringlet {
 struct RunParameters {
   int steps = 300;
   std::vector<Choice<Observer>> write;
+  double checkpoint_seconds = 10;
 
   static Schema<RunParameters> schema();
 };
@@ -53,9 +55,6 @@ struct Scene {
   /// The effective scene, with every default written out.
   Json resolved() const { return schema().write(*this); }
 };
-
-/// Parses a JSON file; // and /* */ comments are allowed. Throws Error with line and column.
-Json load_json(const std::filesystem::path& path);
 
 /// Reads a scene. Throws InvalidInput with every problem in it. Relative paths in the scene are
 /// relative to folder.

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "core/checkpoint.h"
 #include "core/error.h"
 #include "core/pose.h"
 #include "core/strand_source.h"
@@ -135,6 +136,14 @@ void Simulation::set_state(const State& state) {
   state_.velocities.set_matrix(state.velocities.matrix());
   state_.history.dt = 0;
   state_.history.still_steps.clear();
+}
+
+std::string Simulation::checkpoint() const {
+  return write_checkpoint(*model_, state_, steps_done_);
+}
+
+void Simulation::go_on_from(std::string_view checkpoint) {
+  steps_done_ = read_checkpoint(checkpoint, *model_, state_);
 }
 
 StepReport Simulation::step() {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include "core/integrator.h"
 #include "core/model.h"
@@ -21,6 +23,11 @@ class Simulation {
   int steps_done() const { return steps_done_; }
   /// Goes on from a state of another simulation of the same strands.
   void set_state(const State& state);
+  /// All that the next steps depend on besides the scene; see core/checkpoint.h.
+  std::string checkpoint() const;
+  /// Goes on from a checkpoint of another simulation of the same scene. Throws Error, and changes
+  /// nothing, if it is none.
+  void go_on_from(std::string_view checkpoint);
   /// One time step: the six stages of the README. If the report names a failure, the state is
   /// unchanged.
   StepReport step();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "apps/overrides.h"
+#include "apps/report/run_source.h"
 #include "core/load_plugin.h"
 
 namespace ringlet {
@@ -27,6 +28,10 @@ void name_plugins(Json& scene, const Registry& registry) {
   if (is_readable) plugins = registry.libraries();
 }
 
+void change_steps(Scene& scene, const Arguments& arguments) {
+  if (const auto steps = arguments.integer("--steps", 0)) scene.run.steps = *steps;
+}
+
 }  // namespace
 
 Scene read_scene_argument(Registry& registry, const Arguments& arguments) {
@@ -36,7 +41,16 @@ Scene read_scene_argument(Registry& registry, const Arguments& arguments) {
   load_plugins_of(json, path.parent_path(), registry);
   if (json.is_object()) name_plugins(json, registry);
   Scene scene = read_scene(json, registry, path.parent_path());
-  if (const auto steps = arguments.integer("--steps", 0)) scene.run.steps = *steps;
+  change_steps(scene, arguments);
+  return scene;
+}
+
+Scene read_scene_of_run(const std::filesystem::path& folder, Registry& registry,
+                        const Arguments& arguments) {
+  const Json json = load_scene_of_run(folder);
+  load_plugins_of(json, folder, registry);
+  Scene scene = read_scene(json, registry, folder);
+  change_steps(scene, arguments);
   return scene;
 }
 

@@ -11,6 +11,7 @@
 #include "apps/report/metrics_table.h"
 #include "apps/report/packed_text.h"
 #include "apps/report/quantised.h"
+#include "apps/report/run_source.h"
 #include "apps/report/shown_frames.h"
 #include "core/scene.h"
 
@@ -23,16 +24,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t frames_a_packet = 16;
 /// More points than that no plot has pixels for.
 constexpr int most_rows = 4000;
-
-Json read_scene_of(const fs::path& folder) {
-  const fs::path path = folder / "scene.resolved.json";
-  if (!fs::exists(path)) {
-    throw Error("'" + folder.string() +
-                "' is no folder of results; expected the folder that `ringlet run` names, with "
-                "scene.resolved.json in it");
-  }
-  return load_json(path);
-}
 
 Json describe_metrics(const MetricsTable& table, std::vector<std::string>& notes) {
   const int rows = static_cast<int>(table.rows());
@@ -120,22 +111,12 @@ std::unique_ptr<ContactForces> make_contact_forces(const Json& scene, const Regi
   }
 }
 
-Json read_summary(const fs::path& folder) {
-  const fs::path path = folder / "summary.json";
-  return fs::exists(path) ? load_json(path) : Json();
-}
-
-std::string name_of(const Json& summary, const fs::path& folder) {
-  if (summary.is_object() && summary.contains("scene")) return summary["scene"];
-  return fs::absolute(folder / "x").parent_path().filename().string();
-}
-
 }  // namespace
 
 Report make_report(const fs::path& folder, const std::string& page, std::int64_t budget_bytes,
                    const Registry& registry) {
   Report report;
-  const Json scene = read_scene_of(folder), summary = read_summary(folder);
+  const Json scene = load_scene_of_run(folder), summary = load_summary_of_run(folder);
   const ShownFrames frames =
       read_shown_frames(folder, budget_bytes,
                         make_contact_forces(scene, registry, folder, report.notes), report.notes);
@@ -146,7 +127,7 @@ Report make_report(const fs::path& folder, const std::string& page, std::int64_t
   const Json colliders = describe_colliders(scene, registry, frames.times, report.notes);
   const Json metrics = describe_metrics(read_metrics_table(folder / "metrics.csv"), report.notes);
   const Json record{
-      {"name", name_of(summary, folder)},
+      {"name", name_of_run(folder)},
       {"scene", scene},
       {"summary", summary},
       {"notes", report.notes},

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numeric>
-#include <sstream>
 
 #include "apps/exit_codes.h"
+#include "apps/report/metrics_table.h"
 #include "core/error.h"
+#include "core/json_file.h"
 #include "plugins/frames/frames_reader.h"
 
 namespace ringlet {
@@ -20,49 +20,20 @@ namespace fs = std::filesystem;
 /// many times the kinetic energy: a run that exploded.
 constexpr double exploded_lengths = 10, exploded_energies = 1e3;
 
-Json read_json(const fs::path& path) {
-  std::ifstream file(path);
-  return file ? Json::parse(file, nullptr, false) : Json();
+/// The sum of all columns whose names are chosen, a step.
+template <class Chosen>
+std::vector<double> sum_of(const MetricsTable& table, const Chosen& is_chosen) {
+  std::vector<double> total(table.rows(), 0.0);
+  for (std::size_t c = 0; c < table.names.size(); ++c) {
+    if (!is_chosen(table.names[c])) continue;
+    for (std::size_t i = 0; i < total.size(); ++i) total[i] += table.columns[c][i];
+  }
+  return total;
 }
 
-/// metrics.csv, by column.
-class Metrics {
- public:
-  explicit Metrics(const fs::path& path) {
-    std::ifstream file(path);
-    std::string line;
-    if (!std::getline(file, line)) return;
-    std::istringstream head(line);
-    for (std::string name; std::getline(head, name, ',');) names_.push_back(name);
-    columns_.resize(names_.size());
-    while (std::getline(file, line)) {
-      std::istringstream cells(line);
-      std::string cell;
-      for (auto& column : columns_) {
-        std::getline(cells, cell, ',');
-        column.push_back(cell.empty() ? std::nan("") : std::strtod(cell.c_str(), nullptr));
-      }
-    }
-  }
-  std::size_t steps() const { return columns_.empty() ? 0 : columns_[0].size(); }
-  /// The sum of all columns that `chosen` chooses by their names.
-  template <class Chosen>
-  std::vector<double> sum(const Chosen& chosen) const {
-    std::vector<double> total(steps(), 0.0);
-    for (std::size_t c = 0; c < names_.size(); ++c) {
-      if (!chosen(names_[c])) continue;
-      for (std::size_t i = 0; i < total.size(); ++i) total[i] += columns_[c][i];
-    }
-    return total;
-  }
-  std::vector<double> column(const std::string& name) const {
-    return sum([&](const std::string& other) { return other == name; });
-  }
-
- private:
-  std::vector<std::string> names_;
-  std::vector<std::vector<double>> columns_;
-};
+std::vector<double> column(const MetricsTable& table, const std::string& name) {
+  return sum_of(table, [&](const std::string& other) { return other == name; });
+}
 
 double mean(const std::vector<double>& values) {
   if (values.empty()) return 0;
@@ -75,19 +46,19 @@ double largest(const std::vector<double>& values) {
 }
 
 void read_metrics(const fs::path& run, RunResults& results, std::vector<double>& energy) {
-  const Metrics metrics(run / "metrics.csv");
-  results.steps = static_cast<int>(metrics.steps());
-  results.newton_iterations = mean(metrics.column("newton_iterations"));
-  results.linear_iterations = mean(metrics.column("linear_iterations"));
-  results.penetration = largest(metrics.column("penetration"));
-  results.largest_kinetic = largest(metrics.column("kinetic_energy"));
-  const auto newton = metrics.column("newton_converged"),
-             linear = metrics.column("linear_converged");
+  const MetricsTable metrics = read_metrics_table(run / "metrics.csv");
+  results.steps = static_cast<int>(metrics.rows());
+  results.newton_iterations = mean(column(metrics, "newton_iterations"));
+  results.linear_iterations = mean(column(metrics, "linear_iterations"));
+  results.penetration = largest(column(metrics, "penetration"));
+  results.largest_kinetic = largest(column(metrics, "kinetic_energy"));
+  const auto newton = column(metrics, "newton_converged"),
+             linear = column(metrics, "linear_converged");
   for (std::size_t i = 0; i < newton.size(); ++i) {
     if (newton[i] == 0 || linear[i] == 0) ++results.steps_not_converged;
   }
-  energy = metrics.sum([](const std::string& name) {
-    return name == "kinetic_energy" || name.starts_with("energy_");
+  energy = sum_of(metrics, [](const std::string& name) {
+    return name == "kinetic_energy" || (name.starts_with("energy_") && name != "energy_rise");
   });
 }
 
@@ -171,7 +142,7 @@ RunResults read_results(const Variant& variant, const std::vector<fs::path>& run
     return results;
   }
   for (const fs::path& run : runs) {
-    const Json summary = read_json(run / "summary.json");
+    const Json summary = load_json_if_there(run / "summary.json");
     if (!summary.is_object() || summary.value("status", "") != "finished") continue;
     results.seconds.push_back(1e-3 * summary["milliseconds"]["steps"].get<double>());
     results.peak_memory_bytes =
@@ -179,7 +150,7 @@ RunResults read_results(const Variant& variant, const std::vector<fs::path>& run
   }
   std::vector<double> energy;
   read_metrics(runs.front(), results, energy);
-  const Json outcome = read_json(runs.front().string() + ".json");
+  const Json outcome = load_json_if_there(runs.front().string() + ".json");
   judge(outcome.value("exit_code", -1), outcome.value("message", ""), results);
   if (variant.compare_every > 0 && fs::exists(runs.front() / "frames.bin")) {
     read_states(runs.front(), variant.compare_every, energy, results);

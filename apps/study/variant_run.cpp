@@ -1,27 +1,14 @@
 #include "apps/study/variant_run.h"
 
-#include <fstream>
-
 #include "apps/build_info.h"
 #include "apps/exit_codes.h"
 #include "apps/study/child_run.h"
-#include "core/atomic_file.h"
+#include "core/json_file.h"
 
 namespace ringlet {
 namespace {
 
 namespace fs = std::filesystem;
-
-void write_json(const fs::path& path, const Json& json) {
-  AtomicFile file(path);
-  file.stream() << json.dump(2) << '\n';
-  file.commit();
-}
-
-Json read_json(const fs::path& path) {
-  std::ifstream file(path);
-  return file ? Json::parse(file, nullptr, false) : Json();
-}
 
 /// Instead of what its scene writes, what is compared.
 Json scene_to_run(const Variant& variant) {
@@ -48,7 +35,7 @@ fs::path variant_folder(const fs::path& study, const Variant& variant) {
 std::vector<fs::path> run_variant(const Variant& variant, const RunSettings& settings) {
   const fs::path folder = variant_folder(settings.folder, variant);
   const Json request = request_of(variant, settings.threads);
-  if (read_json(folder / "request.json") != request) fs::remove_all(folder);
+  if (load_json_if_there(folder / "request.json") != request) fs::remove_all(folder);
   fs::create_directories(folder);
   write_json(folder / "request.json", request);
   const fs::path scene = folder / "scene.json";

@@ -36,6 +36,7 @@ struct FramesHeader {
         .required("vertex_counts", &FramesHeader::vertex_counts, "", at_least(2), "of each strand")
         .required("precision", &FramesHeader::precision, "", any_number(), "of the positions");
   }
+  bool operator==(const FramesHeader&) const = default;
   std::int64_t vertex_count() const;
   std::int64_t radii_bytes() const { return 4 * vertex_count(); }
   /// Of a frame with its checksum.

@@ -1,8 +1,8 @@
 #include "plugins/frames/frames_reader.h"
 
-#include <cstring>
 #include <limits>
 
+#include "core/binary.h"
 #include "core/registry.h"
 
 namespace ringlet {
@@ -10,19 +10,11 @@ namespace {
 
 constexpr std::int64_t words_bytes = sizeof frames_first_words - 1, checksum_bytes = 8;
 
-template <class T>
-T take(const char*& from) {
-  T value;
-  std::memcpy(&value, from, sizeof value);
-  from += sizeof value;
-  return value;
-}
-
 template <class Number>
-Eigen::Matrix3Xd take_positions(const char*& from, std::int64_t vertices) {
+Eigen::Matrix3Xd take_positions(ByteReader& from, std::int64_t vertices) {
   Eigen::Matrix3Xd positions(3, vertices);
   for (Eigen::Index i = 0; i < positions.size(); ++i) {
-    positions.data()[i] = static_cast<double>(take<Number>(from));
+    positions.data()[i] = static_cast<double>(from.take<Number>());
   }
   return positions;
 }
@@ -46,8 +38,7 @@ void FramesReader::read_header() {
   if (!file_ || start.compare(0, words_bytes, frames_first_words) != 0) {
     fail("expected a file that begins with '" + std::string(frames_first_words) + "'");
   }
-  const char* at = start.data() + words_bytes;
-  const auto length = take<std::uint64_t>(at);
+  const auto length = ByteReader(std::string_view(start).substr(words_bytes)).take<std::uint64_t>();
   const std::int64_t left = size - words_bytes - 8;
   if (length > static_cast<std::uint64_t>(left)) fail("its header is longer than the file");
   std::string text(length, '\0');
@@ -69,13 +60,12 @@ void FramesReader::read_radii(const std::string& header) {
   std::string bytes(header_.radii_bytes(), '\0'), end(checksum_bytes, '\0');
   file_.read(bytes.data(), header_.radii_bytes());
   file_.read(end.data(), checksum_bytes);
-  const char* at = end.data();
-  if (!file_ || checksum(header + bytes) != take<std::uint64_t>(at)) {
+  if (!file_ || checksum(header + bytes) != ByteReader(end).take<std::uint64_t>()) {
     fail("its head is damaged: the checksum is wrong");
   }
-  at = bytes.data();
+  ByteReader radii(bytes);
   for (std::int64_t v = 0; v < header_.vertex_count(); ++v) {
-    radii_.push_back(static_cast<double>(take<float>(at)));
+    radii_.push_back(static_cast<double>(radii.take<float>()));
   }
 }
 
@@ -97,24 +87,23 @@ std::string FramesReader::read_bytes(int frame, std::int64_t count_of_bytes) {
 }
 
 std::int64_t FramesReader::step(int frame) {
-  const std::string bytes = read_bytes(frame, 8);
-  const char* at = bytes.data();
-  return take<std::int64_t>(at);
+  return ByteReader(read_bytes(frame, 8)).take<std::int64_t>();
 }
 
 StoredFrame FramesReader::read(int frame) {
   std::string bytes = read_bytes(frame, header_.frame_bytes());
-  const char* end = bytes.data() + bytes.size() - checksum_bytes;
-  const auto expected = take<std::uint64_t>(end);
+  const auto expected = ByteReader(std::string_view(bytes).substr(bytes.size() - checksum_bytes))
+                            .take<std::uint64_t>();
   bytes.resize(bytes.size() - checksum_bytes);
   if (checksum(bytes) != expected) {
     fail("frame " + std::to_string(frame) + " is damaged: its checksum is wrong");
   }
-  const char* at = bytes.data();
-  StoredFrame stored{take<std::int64_t>(at), take<double>(at), {}};
+  ByteReader from(bytes);
+  StoredFrame stored{from.take<std::int64_t>(), 0, {}};
+  stored.time = from.take<double>();
   stored.positions = header_.precision == FramePrecision::single
-                         ? take_positions<float>(at, header_.vertex_count())
-                         : take_positions<double>(at, header_.vertex_count());
+                         ? take_positions<float>(from, header_.vertex_count())
+                         : take_positions<double>(from, header_.vertex_count());
   return stored;
 }
 

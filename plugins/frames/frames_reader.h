@@ -25,6 +25,10 @@ class FramesReader {
   const std::vector<double>& radii() const { return radii_; }  ///< m, one a vertex
   /// Complete frames, as many as there are now.
   int count() const;
+  /// Of a file that holds the first frames and no more.
+  std::int64_t bytes_with(int frames) const {
+    return first_frame_ + frames * header_.frame_bytes();
+  }
   /// Of a frame. Throws Error if there is no such frame.
   std::int64_t step(int frame);
   /// Throws Error if there is no such frame, or if its checksum is wrong.

@@ -1,14 +1,10 @@
 #include "plugins/frames/frames_writer.h"
 
-#include "core/error.h"
+#include "core/binary.h"
+#include "plugins/frames/frames_reader.h"
 
 namespace ringlet {
 namespace {
-
-template <class T>
-void append_bytes(std::string& bytes, const T& value) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
 
 template <class Number>
 void append_positions(std::string& bytes, const VertexField& positions) {
@@ -18,17 +14,21 @@ void append_positions(std::string& bytes, const VertexField& positions) {
   }
 }
 
+FramesHeader header_of(const Strands& strands, FramePrecision precision) {
+  FramesHeader header{{}, precision};
+  for (int strand = 0; strand < strands.count(); ++strand) {
+    header.vertex_counts.push_back(strands.size(strand));
+  }
+  return header;
+}
+
 }  // namespace
 
 void FramesWriter::begin(const Model& model, const State& state,
                          const std::filesystem::path& folder) {
-  path_ = folder / "frames.bin";
-  file_.open(path_, std::ios::binary | std::ios::trunc);
-  FramesHeader header{{}, parameters_.precision};
-  for (int strand = 0; strand < model.strands.count(); ++strand) {
-    header.vertex_counts.push_back(model.strands.size(strand));
-  }
-  std::string head = FramesHeader::schema().write(header).dump();
+  open(folder, std::ios::trunc);
+  std::string head =
+      FramesHeader::schema().write(header_of(model.strands, parameters_.precision)).dump();
   std::string bytes = frames_first_words;
   append_bytes(bytes, static_cast<std::uint64_t>(head.size()));
   for (int v = 0; v < model.strands.vertex_count(); ++v) {
@@ -39,12 +39,33 @@ void FramesWriter::begin(const Model& model, const State& state,
   append(state, 0);
 }
 
+void FramesWriter::resume(const Model& model, const State&, const std::filesystem::path& folder,
+                          int step) {
+  FramesReader written(folder / "frames.bin");
+  if (written.header() != header_of(model.strands, parameters_.precision)) {
+    throw Error("'" + (folder / "frames.bin").string() + "' is of other strands or precision");
+  }
+  int kept = 0;
+  for (; kept < written.count(); ++kept) {
+    const std::int64_t frame_step = written.step(kept);
+    if (frame_step > step || frame_step % parameters_.every != 0) break;
+    last_step_ = static_cast<int>(frame_step);
+  }
+  std::filesystem::resize_file(folder / "frames.bin", written.bytes_with(kept));
+  open(folder, std::ios::app);
+}
+
 void FramesWriter::observe(const Model&, const State& state, int step, const StepReport&) {
   if (step % parameters_.every == 0) append(state, step);
 }
 
 void FramesWriter::end(const Model&, const State& state, int step) {
   if (last_step_ != step) append(state, step);
+}
+
+void FramesWriter::open(const std::filesystem::path& folder, std::ios::openmode how) {
+  path_ = folder / "frames.bin";
+  file_.open(path_, std::ios::binary | how);
 }
 
 void FramesWriter::append(const State& state, int step) {

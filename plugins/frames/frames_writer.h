@@ -26,10 +26,13 @@ class FramesWriter final : public Observer {
   explicit FramesWriter(const FramesParameters& parameters) : parameters_(parameters) {}
 
   void begin(const Model& model, const State& state, const std::filesystem::path& folder) override;
+  void resume(const Model& model, const State& state, const std::filesystem::path& folder,
+              int step) override;
   void observe(const Model& model, const State& state, int step, const StepReport& report) override;
   void end(const Model& model, const State& state, int step) override;
 
  private:
+  void open(const std::filesystem::path& folder, std::ios::openmode how);
   void append(const State& state, int step);
   void write(const std::string& bytes);
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <numeric>
 
+#include "core/keep_lines.h"
 #include "core/observer.h"
 #include "core/plugin.h"
 
@@ -36,6 +37,15 @@ class TipTrack final : public Observer {
     for (const int strand : strands_) head += fmt::format(",x_{0},y_{0},z_{0}", strand);
     write_line(head);
     write_row(model.strands, state);
+  }
+
+  void resume(const Model& model, const State&, const std::filesystem::path& folder,
+              int step) override {
+    choose_strands(model.strands);
+    path_ = folder / "tips.csv";
+    const int head_and_start = 2;
+    keep_lines(path_, head_and_start + step);
+    file_.open(path_, std::ios::binary | std::ios::app);
   }
 
   void observe(const Model& model, const State& state, int, const StepReport&) override {

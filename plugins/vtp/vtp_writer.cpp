@@ -3,14 +3,37 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "core/atomic_file.h"
+#include "plugins/vtp/vtp_frames.h"
+#include "plugins/vtp/vtp_reader.h"
 
 namespace ringlet {
+namespace {
+
+std::string frame_name(int step) { return fmt::format("frames/frame_{:05}.vtp", step); }
+
+}  // namespace
 
 void VtpWriter::begin(const Model& model, const State& state, const std::filesystem::path& folder) {
-  folder_ = folder;
-  frames_.clear();
+  keep_frames(folder, -1);
   std::filesystem::create_directories(folder_ / "frames");
   write_frame(model, state, 0);
+}
+
+void VtpWriter::resume(const Model&, const State&, const std::filesystem::path& folder, int step) {
+  keep_frames(folder, step);
+  write_index();
+}
+
+void VtpWriter::keep_frames(const std::filesystem::path& folder, int last) {
+  folder_ = folder;
+  frames_.clear();
+  for (const VtpFrameFile& file : list_vtp_frames(folder)) {
+    if (file.step > last || file.step % parameters_.every != 0) {
+      std::filesystem::remove(file.path);
+    } else {
+      frames_.push_back({file.step, read_vtp_frame(file.path).time, frame_name(file.step)});
+    }
+  }
 }
 
 void VtpWriter::observe(const Model& model, const State& state, int step, const StepReport&) {
@@ -18,11 +41,11 @@ void VtpWriter::observe(const Model& model, const State& state, int step, const 
 }
 
 void VtpWriter::end(const Model& model, const State& state, int step) {
-  if (frames_.back().step != step) write_frame(model, state, step);
+  if (frames_.empty() || frames_.back().step != step) write_frame(model, state, step);
 }
 
 void VtpWriter::write_frame(const Model& model, const State& state, int step) {
-  const std::string name = fmt::format("frames/frame_{:05}.vtp", step);
+  const std::string name = frame_name(step);
   AtomicFile file(folder_ / name);
   write_vtp(model.strands, state, parameters_.encoding, file.stream());
   file.commit();

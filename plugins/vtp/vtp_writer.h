@@ -29,6 +29,8 @@ class VtpWriter final : public Observer {
   explicit VtpWriter(const VtpParameters& parameters) : parameters_(parameters) {}
 
   void begin(const Model& model, const State& state, const std::filesystem::path& folder) override;
+  void resume(const Model& model, const State& state, const std::filesystem::path& folder,
+              int step) override;
   void observe(const Model& model, const State& state, int step, const StepReport& report) override;
   void end(const Model& model, const State& state, int step) override;
 
@@ -38,6 +40,8 @@ class VtpWriter final : public Observer {
     double time;  ///< s
     std::string file;
   };
+  /// Removes all frames but those up to a step that observe() would have written.
+  void keep_frames(const std::filesystem::path& folder, int last);
   void write_frame(const Model& model, const State& state, int step);
   void write_index() const;
 

@@ -55,15 +55,15 @@ ProgramResult Workplace::run(const std::vector<std::string>& arguments) const {
   return finish(start(arguments));
 }
 
-ProgramResult Workplace::run_and_interrupt(const std::vector<std::string>& arguments,
-                                           const std::string& results, int lines) const {
+ProgramResult Workplace::run_and_signal(const std::vector<std::string>& arguments,
+                                        const std::string& results, int lines, int signal) const {
   const int process = start(arguments);
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(2);
   while (count_lines(read_text(folder() / results / "metrics.csv")) < lines) {
     if (std::chrono::steady_clock::now() > give_up) break;
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
-  kill(process, SIGINT);
+  kill(process, signal);
   return finish(process);
 }
 

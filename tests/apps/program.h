@@ -24,10 +24,10 @@ class Workplace {
   /// Writes a file into the folder and returns its name.
   std::string write(const std::string& name, const std::string& text) const;
   ProgramResult run(const std::vector<std::string>& arguments) const;
-  /// Starts the program, sends it SIGINT when metrics.csv in the given folder has that many lines,
-  /// and waits for its end.
-  ProgramResult run_and_interrupt(const std::vector<std::string>& arguments,
-                                  const std::string& results, int lines) const;
+  /// Starts the program, sends it a signal when metrics.csv in the given folder has that many
+  /// lines, and waits for its end.
+  ProgramResult run_and_signal(const std::vector<std::string>& arguments,
+                               const std::string& results, int lines, int signal) const;
 
  private:
   int start(const std::vector<std::string>& arguments) const;

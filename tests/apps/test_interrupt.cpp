@@ -1,3 +1,5 @@
+#include <csignal>
+
 #include "tests/apps/program.h"
 #include "tests/catch.h"
 
@@ -7,9 +9,9 @@ TEST_CASE("Ctrl-C ends the run after a whole step with everything so far readabl
   const Workplace place;
   const std::string scene = place.write("s.json", small_scene().dump());
   const ProgramResult result =
-      place.run_and_interrupt({"run", scene, "-o", "out", "--steps", "1000000", "--set",
-                               R"(/run/write=[{"type": "vtp", "every": 7}])"},
-                              "out", 10);
+      place.run_and_signal({"run", scene, "-o", "out", "--steps", "1000000", "--set",
+                            R"(/run/write=[{"type": "vtp", "every": 7}])"},
+                           "out", 10, SIGINT);
   CAPTURE(result.errors);
   CHECK(result.exit_code == 130);
 
