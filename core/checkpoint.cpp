@@ -1,5 +1,6 @@
 #include "core/checkpoint.h"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/binary.h"
@@ -30,20 +31,13 @@ std::vector<T> take_all(ByteReader& from) {
   return values;
 }
 
-void append_field(std::string& bytes, const VertexField& field) {
-  const Eigen::Matrix3Xd values = field.matrix();
-  append_all(bytes, values.reshaped());
-}
-
-VertexField take_field(ByteReader& from, VertexField start) {
-  const std::vector<double> values = take_all<double>(from);
-  const Eigen::Index vertices = start.groups().vertex_count();
-  if (static_cast<Eigen::Index>(values.size()) != 3 * vertices) {
-    throw Error("it is of " + std::to_string(values.size() / 3) + " vertices; expected " +
-                std::to_string(vertices));
-  }
-  start.set_matrix(Eigen::Map<const Eigen::Matrix3Xd>(values.data(), 3, vertices));
-  return start;
+/// With its pads: they too are where steps have left them.
+VertexField take_field(ByteReader& from, const StrandGroups& groups) {
+  const auto rows = take_all<Vector3<Pack>>(from);
+  VertexField field(groups);
+  if (rows.size() != field.rows().size()) throw Error("a field of it has another size");
+  std::copy(rows.begin(), rows.end(), field.rows().begin());
+  return field;
 }
 
 StepHistory take_history(ByteReader& from, const Model& model) {
@@ -51,7 +45,7 @@ StepHistory take_history(ByteReader& from, const Model& model) {
   history.dt = from.take<double>();
   const auto fields = from.take<std::uint64_t>();
   for (std::uint64_t i = 0; i < fields; ++i) {
-    history.fields.push_back(take_field(from, VertexField(model.groups)));
+    history.fields.push_back(take_field(from, model.groups));
   }
   history.still_steps = take_all<int>(from);
   return history;
@@ -64,13 +58,14 @@ std::string write_checkpoint(Model& model, const State& state, int steps_done) {
   changing.save(model);
   std::string bytes;
   append_all(bytes, stamp());
+  append_bytes(bytes, model.strands.vertex_count());
   append_bytes(bytes, steps_done);
   append_bytes(bytes, state.time);
-  append_field(bytes, state.positions);
-  append_field(bytes, state.velocities);
+  append_all(bytes, state.positions.rows());
+  append_all(bytes, state.velocities.rows());
   append_bytes(bytes, state.history.dt);
   append_bytes(bytes, static_cast<std::uint64_t>(state.history.fields.size()));
-  for (const VertexField& field : state.history.fields) append_field(bytes, field);
+  for (const VertexField& field : state.history.fields) append_all(bytes, field.rows());
   append_all(bytes, state.history.still_steps);
   append_all(bytes, changing.data());
   return bytes;
@@ -81,10 +76,14 @@ int read_checkpoint(std::string_view bytes, Model& model, State& state) {
   const std::vector<char> written_by = take_all<char>(from);
   const std::string writer(written_by.begin(), written_by.end());
   if (writer != stamp()) throw Error("it was written by " + writer + "; this is " + stamp());
+  if (const int vertices = from.take<int>(); vertices != model.strands.vertex_count()) {
+    throw Error("it is of " + std::to_string(vertices) + " vertices; expected " +
+                std::to_string(model.strands.vertex_count()));
+  }
   const int steps_done = from.take<int>();
   State read{from.take<double>(), {}, {}};
-  read.positions = take_field(from, state.positions);
-  read.velocities = take_field(from, state.velocities);
+  read.positions = take_field(from, model.groups);
+  read.velocities = take_field(from, model.groups);
   read.history = take_history(from, model);
   ChangingData changing;
   changing.save(model);

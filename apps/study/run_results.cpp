@@ -118,6 +118,14 @@ void find_explosion(RunResults& results, const RunResults& reference, double lar
   results.status = "exploded";
 }
 
+/// In one word, what a user of an extreme wants to know of it.
+std::string verdict_of(const RunResults& results) {
+  if (results.status == "finished" || results.status == "not_converged") return "held";
+  const bool is_told = results.status == "refused" || results.status == "failed";
+  if (is_told && !results.reason.empty()) return "refused with reason";
+  return results.status == "interrupted" ? "not run" : "not held";
+}
+
 Json seconds_of(std::vector<double> seconds) {
   if (seconds.empty())
     return {{"seconds", nullptr}, {"seconds_low", nullptr}, {"seconds_high", nullptr}};
@@ -179,6 +187,7 @@ Json describe_variant(const Variant& variant, RunResults results, const RunResul
              {"values", variant.values},
              {"status", results.status},
              {"reason", results.reason},
+             {"verdict", verdict_of(results)},
              {"steps", results.steps},
              {"newton_iterations", results.newton_iterations},
              {"linear_iterations", results.linear_iterations},

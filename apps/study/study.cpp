@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -183,6 +184,19 @@ StudyOutcome run_study(const std::string& name, const StudyFile& study,
   return StudyRun(name, study, variants, options).run();
 }
 
+namespace {
+
+/// "74 held, 2 refused with reason".
+std::string count_verdicts(const Json& variants) {
+  std::map<std::string, int> counts;
+  for (const Json& variant : variants) ++counts[variant["verdict"]];
+  std::vector<std::string> words;
+  for (const auto& [verdict, count] : counts) words.push_back(fmt::format("{} {}", count, verdict));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+}  // namespace
+
 std::string tell_results(const Json& results) {
   std::size_t width = 7;
   for (const Json& variant : results["variants"]) {
@@ -211,6 +225,7 @@ std::string tell_results(const Json& results) {
       text += words.get<std::string>() + "\n";
     }
   }
+  text += count_verdicts(results["variants"]) + "\n";
   return text;
 }
 

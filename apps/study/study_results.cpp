@@ -52,6 +52,7 @@ std::string to_csv(const Json& results) {
   std::string text = "name";
   for (const Json& axis : results["axes"]) text += "," + quoted(axis["name"]);
   const std::vector<const char*> rest{"status",
+                                      "verdict",
                                       "reason",
                                       "seconds",
                                       "seconds_low",

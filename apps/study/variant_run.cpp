@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 Json scene_to_run(const Variant& variant) {
   Json scene = variant.scene;
   scene["run"]["write"] = Json::array();
+  scene["run"]["checkpoint_seconds"] = 0;
   if (variant.compare_every > 0) {
     scene["run"]["write"] = {
         {{"type", "frames"}, {"every", variant.compare_every}, {"precision", "double"}}};

@@ -169,7 +169,8 @@ TEST_CASE("a writer that fails ends the run with its name; what was written so f
                                  registry, "/");
   Simulation simulation(scene);
   const Workplace place;
-  const RunRecord record = SceneRun(scene, simulation, place.folder()).run("test", true);
+  const RunRecord record =
+      SceneRun(scene, simulation, place.folder()).run("test", Telling::nothing);
   CHECK(record.failure == "writer 'failing': out of luck");
   CHECK(record.steps == 2);
   const auto files = read_files(place.folder());

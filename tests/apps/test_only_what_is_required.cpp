@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "collision/modules.h"
+#include "core/batch_energy.h"
 #include "core/module_costs.h"
 #include "core/modules.h"
 #include "energies/modules.h"
@@ -206,4 +207,66 @@ TEST_CASE("all solvers agree beside strands that are pinned as a whole") {
     CAPTURE(chosen.dump());
     CHECK((run(chosen) - exact).norm() < 1e-6);
   }
+}
+
+namespace {
+
+/// A spring of no rest length that remembers which filters it was asked for.
+struct Asked {
+  static constexpr int vertices = 2;
+  using Parameters = NoParameters;
+  template <class S>
+  struct Rest {
+    S stiffness;
+  };
+  std::vector<Filter>* filters;
+
+  Rest<double> rest(const ElementRest<2>&) const { return {1}; }
+  template <class S>
+  S value(const Stencil<S, 2>& x, const Rest<S>& rest) const {
+    return S(0.5) * rest.stiffness * squared_norm(x[1] - x[0]);
+  }
+  template <class S>
+  S evaluate(const Stencil<S, 2>& x, const Rest<S>& rest, Filter filter,
+             ElementOutputs<S, 2> outputs) const {
+    filters->push_back(filter);
+    outputs.add_gradient(0, rest.stiffness * (x[1] - x[0]));
+    return value(x, rest);
+  }
+};
+
+std::int64_t operations_of(const std::string& filter) {
+  Json scene = quiet_scene();
+  scene["energies"] = {{{"type", "twist"}, {"filter", filter}}};
+  const Simulation simulation = simulate(scene.dump());
+  Eigen::Matrix3Xd x(3, 4);
+  x << 0, 1, 1.2, 2, 0, 0.1, 1, 1.3, 0, 0, 0.2, 1;
+  return simulation.model().energies[0]->element_function()->cost(x, 1, 0.3).operations;
+}
+
+}  // namespace
+
+TEST_CASE("no Hessian is filtered where only values are wanted, and no other than chosen") {
+  const std::vector<Eigen::Vector3d> rest{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 2, 0}, {0, 4, 0}};
+  const Strands strands({2, 3}, rest, Material{});
+  const StrandGroups groups(strands);
+  const VertexField x = positions_with_pads(groups, rest);
+  for (const Filter filter : {Filter::tight, Filter::paper, Filter::gauss_newton, Filter::exact}) {
+    std::vector<Filter> asked;
+    BatchEnergy<Asked> energy(Asked{&asked}, filter, Evaluation::lanes);
+    energy.bind(strands, groups);
+    energy.add(0, x.group(0), {});
+    CHECK(asked.empty());
+    StrandBands bands(groups);
+    VertexField gradient(groups);
+    add_at_vertices(energy, 0, x.group(0), {gradient.group(0), bands.group(0)});
+    CHECK(asked == std::vector<Filter>(2, filter));
+  }
+}
+
+TEST_CASE("a filter that keeps less of the Hessian takes fewer operations") {
+  CHECK(operations_of("gauss_newton") < operations_of("tight"));
+  CHECK(operations_of("tight") < operations_of("exact"));
+  // What the numeric ones take comes on top of the exact Hessian.
+  CHECK(operations_of("clamp") == operations_of("exact"));
 }

@@ -1,5 +1,6 @@
 // `ringlet study` as a user runs it.
 
+#include <csignal>
 #include <fstream>
 
 #include "tests/apps/program.h"
@@ -60,6 +61,7 @@ TEST_CASE("a study tells errors, times and the front, and a finer step has the s
   REQUIRE(results["variants"].size() == 2);
   const Json &coarse = variant(results, "dt=0.04"), &fine = variant(results, "dt=0.02");
   CHECK(coarse["status"] == "finished");
+  CHECK(coarse["verdict"] == "held");
   CHECK(coarse["steps"] == 5);
   CHECK(fine["steps"] == 10);
   CHECK(coarse["at"].size() == 5);
@@ -118,13 +120,16 @@ TEST_CASE("variants that are refused, fail, or are not as expected are told, and
   const Json results = results_in(place, "out");
   CHECK(results["variants"].size() == 5);
   CHECK(variant(results, "refused")["status"] == "refused");
+  CHECK(variant(results, "refused")["verdict"] == "refused with reason");
   CHECK(variant(results, "refused")["reason"].get<std::string>().find("/material/density") !=
         std::string::npos);
   CHECK(variant(results, "failed")["status"] == "failed");
+  CHECK(variant(results, "failed")["verdict"] == "refused with reason");
   CHECK(variant(results, "failed")["reason"].get<std::string>().find("not finite") !=
         std::string::npos);
   CHECK(variant(results, "failed")["seconds"].is_null());
   CHECK(variant(results, "unexpected")["status"] == "unexpected");
+  CHECK(variant(results, "unexpected")["verdict"] == "not held");
   CHECK(variant(results, "unexpected")["reason"].get<std::string>().find("time") !=
         std::string::npos);
   CHECK(variant(results, "dt=0.02")["status"] == "finished");
@@ -154,7 +159,7 @@ TEST_CASE("an interrupted study goes on where it was") {
   study["variants"] = {{{"name", "long"}, {"set", {{"/integrator/dt", 0.00001}}}}};
   place.write("steps.json", study.dump());
   const ProgramResult result =
-      place.run_and_interrupt({"study", "steps.json", "-o", "out"}, "out/runs/long/1", 3);
+      place.run_and_signal({"study", "steps.json", "-o", "out"}, "out/runs/long/1", 3, SIGINT);
   CHECK(result.exit_code == 130);
   const Json results = results_in(place, "out");
   CHECK(variant(results, "dt=0.02")["status"] == "finished");
