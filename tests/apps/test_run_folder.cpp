@@ -39,7 +39,8 @@ TEST_CASE("metrics and summary tell what happened") {
   const std::string text = read_text(place.folder() / "out/metrics.csv");
   CHECK(text.substr(0, text.find('\n')) ==
         "step,time,newton_iterations,newton_converged,newton_update,linear_iterations,"
-        "linear_converged,linear_residual,line_search_halvings,substeps,local_error,kinetic_energy,"
+        "linear_converged,linear_residual,line_search_halvings,substeps,local_error,local_error_"
+        "met,kinetic_energy,"
         "energy_stretch,"
         "energy_bending,energy_bending_2,contact_energy,energy_rise,contacts,strand_contacts,"
         "collider_contacts,"

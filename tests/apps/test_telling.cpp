@@ -47,7 +47,7 @@ TEST_CASE("help, version and check") {
        {std::vector<std::string>{"help"}, {"--help"}, {"run", "--help"}}) {
     const ProgramResult help = place.run(words);
     CHECK(help.exit_code == 0);
-    CHECK(contains(help.output, "ringlet run SCENE.json"));
+    CHECK(contains(help.output, "ringlet run [SCENE.json]"));
     CHECK(contains(help.output, "Exit codes"));
   }
   CHECK(contains(place.run({"--version"}).output, "ringlet 0."));
