@@ -87,14 +87,16 @@ class VtpFrames final : public RunFrames::Source {
 
 }  // namespace
 
-RunFrames::RunFrames(const fs::path& folder) {
-  if (fs::exists(folder / "frames.bin")) {
-    source_ = std::make_unique<BinaryFrames>(folder / "frames.bin");
+RunFrames::RunFrames(const fs::path& run) {
+  const bool is_folder = fs::is_directory(run);
+  if (const fs::path file = is_folder ? run / "frames.bin" : run;
+      file.extension() == ".bin" && fs::exists(file)) {
+    source_ = std::make_unique<BinaryFrames>(file);
     return;
   }
-  source_ = std::make_unique<VtpFrames>(list_vtp_frames(folder));
+  source_ = std::make_unique<VtpFrames>(is_folder ? list_vtp_frames(run) : list_pvd_frames(run));
   if (!source_->steps.empty()) return;
-  throw Error("'" + folder.string() +
+  throw Error("'" + run.string() +
               "' has no frame; expected frames.bin or frames/frame_<step>.vtp, which a scene "
               "writes with \"run\": {\"write\": [\"frames\"]} or [\"vtp\"]" +
               (source_->left_out.empty() ? "" : ". " + source_->left_out.front()));

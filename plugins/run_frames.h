@@ -16,11 +16,11 @@ struct RunFrame {
 };
 
 /// The frames of a run folder: of frames.bin, or where that is not there of
-/// frames/frame_<step>.vtp.
+/// frames/frame_<step>.vtp; or those of a file of either kind, .bin or .pvd.
 class RunFrames {
  public:
   /// Throws Error if there is no frame, or if frames.bin is damaged.
-  explicit RunFrames(const std::filesystem::path& folder);
+  explicit RunFrames(const std::filesystem::path& run);
   ~RunFrames();
   RunFrames(const RunFrames&) = delete;
   RunFrames& operator=(const RunFrames&) = delete;

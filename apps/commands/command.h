@@ -27,5 +27,6 @@ Command eval_command();
 Command bench_command();
 Command report_command();
 Command study_command();
+Command convert_command();
 
 }  // namespace ringlet

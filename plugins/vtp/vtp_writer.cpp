@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "core/atomic_file.h"
+#include "plugins/vtp/pvd.h"
 #include "plugins/vtp/vtp_frames.h"
 #include "plugins/vtp/vtp_reader.h"
 
@@ -54,14 +55,10 @@ void VtpWriter::write_frame(const Model& model, const State& state, int step) {
 }
 
 void VtpWriter::write_index() const {
+  std::vector<PvdEntry> entries;
+  for (const Frame& frame : frames_) entries.push_back({frame.time, frame.file});
   AtomicFile file(folder_ / "run.pvd");
-  file.stream() << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n"
-                   "  <Collection>\n";
-  for (const Frame& frame : frames_) {
-    file.stream() << fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n",
-                                 frame.time, frame.file);
-  }
-  file.stream() << "  </Collection>\n</VTKFile>\n";
+  write_pvd(entries, file.stream());
   file.commit();
 }
 

@@ -16,6 +16,7 @@ struct Sequence {
 const std::vector<Sequence>& sequences() {
   static const std::vector<Sequence> all{
       {{{"type", "obj"}, {"every", 2}}, "obj", false},
+      {{{"type", "obj"}, {"every", 2}, {"lines", "edges"}}, "obj", false},
       {{{"type", "ply"}, {"every", 2}}, "ply", true},
       {{{"type", "ply"}, {"every", 2}, {"encoding", "ascii"}}, "ply", true},
       {{{"type", "hair"}, {"every", 2}}, "hair", true},

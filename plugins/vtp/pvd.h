@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace ringlet {
+
+/// A frame in the index of a sequence of .vtp files.
+struct PvdEntry {
+  double time;       ///< s
+  std::string file;  ///< relative to the folder of the index
+};
+
+/// Writes a .pvd, VTK's XML Collection, which ParaView opens.
+void write_pvd(const std::vector<PvdEntry>& entries, std::ostream& stream);
+
+/// Reads one. Throws Error if it is not whole.
+std::vector<PvdEntry> read_pvd(const std::filesystem::path& path);
+
+}  // namespace ringlet
