@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 #include "plugins/frames/frames_reader.h"
-#include "plugins/vtp/vtp_frames.h"
+#include "plugins/vtp/pvd.h"
 #include "plugins/vtp/vtp_reader.h"
 
 namespace ringlet {
@@ -46,10 +46,10 @@ class BinaryFrames final : public RunFrames::Source {
 
 class VtpFrames final : public RunFrames::Source {
  public:
-  explicit VtpFrames(std::vector<VtpFrameFile> files) : files_(std::move(files)) {
+  explicit VtpFrames(std::vector<FrameFile> files) : files_(std::move(files)) {
     std::optional<VtpFrame> last;
     while (!files_.empty() && !(last = read_or_leave_out(files_.back()))) files_.pop_back();
-    for (const VtpFrameFile& file : files_) steps.push_back(file.step);
+    for (const FrameFile& file : files_) steps.push_back(file.step);
     if (!last) return;
     offsets_ = last->offsets;
     radii.assign(last->radii.begin(), last->radii.end());
@@ -61,7 +61,7 @@ class VtpFrames final : public RunFrames::Source {
   }
 
   RunFrame read(int number) override {
-    const VtpFrameFile& file = files_.at(static_cast<std::size_t>(number));
+    const FrameFile& file = files_.at(static_cast<std::size_t>(number));
     const VtpFrame frame = read_vtp_frame(file.path);
     if (frame.offsets != offsets_) {
       throw Error("'" + file.path.string() + "' is of other strands than the last frame");
@@ -72,7 +72,7 @@ class VtpFrames final : public RunFrames::Source {
   }
 
  private:
-  std::optional<VtpFrame> read_or_leave_out(const VtpFrameFile& file) {
+  std::optional<VtpFrame> read_or_leave_out(const FrameFile& file) {
     try {
       return read_vtp_frame(file.path);
     } catch (const Error& error) {
@@ -81,7 +81,7 @@ class VtpFrames final : public RunFrames::Source {
     }
   }
 
-  std::vector<VtpFrameFile> files_;
+  std::vector<FrameFile> files_;
   std::vector<std::int32_t> offsets_;
 };
 
@@ -94,7 +94,8 @@ RunFrames::RunFrames(const fs::path& run) {
     source_ = std::make_unique<BinaryFrames>(file);
     return;
   }
-  source_ = std::make_unique<VtpFrames>(is_folder ? list_vtp_frames(run) : list_pvd_frames(run));
+  source_ =
+      std::make_unique<VtpFrames>(is_folder ? list_frame_files(run, "vtp") : list_pvd_frames(run));
   if (!source_->steps.empty()) return;
   throw Error("'" + run.string() +
               "' has no frame; expected frames.bin or frames/frame_<step>.vtp, which a scene "

@@ -32,10 +32,14 @@ class SequenceWriter final : public Observer {
       : extension_(std::move(extension)), parameters_(parameters), format_(std::move(format)) {}
 
   void begin(const Model& model, const State& state, const std::filesystem::path& folder) override;
+  void resume(const Model& model, const State& state, const std::filesystem::path& folder,
+              int step) override;
   void observe(const Model& model, const State& state, int step, const StepReport& report) override;
   void end(const Model& model, const State& state, int step) override;
 
  private:
+  /// Removes all files but those until a step that observe() would have written.
+  void keep_files(const std::filesystem::path& folder, int last_step);
   void write(const Model& model, const State& state, int step);
 
   std::string extension_;

@@ -6,6 +6,7 @@
 
 #include "apps/convert/input_frames.h"
 #include "core/suggest.h"
+#include "plugins/frame_files.h"
 
 namespace ringlet {
 namespace {
@@ -46,8 +47,7 @@ std::vector<OutputFile> output_files(const OutputFormat& format, const fs::path&
   std::vector<OutputFile> files;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     // Writers begin with step 0, whatever the step of the first frame is.
-    const fs::path made =
-        fmt::format("frames/frame_{:05}.{}", i == 0 ? 0 : steps[i], format.writer);
+    const fs::path made = frame_name(i == 0 ? 0 : steps[i], format.writer);
     const bool is_alone = steps.size() == 1 && !has_index;
     files.push_back({made, is_alone ? out : numbered(out, steps[i], extension)});
   }

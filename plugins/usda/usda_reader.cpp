@@ -164,21 +164,14 @@ void UsdaReader::set_radii() {
 
 Eigen::Matrix3Xd UsdaReader::read(int sample) {
   text_.go_to(places_.at(static_cast<std::size_t>(sample)));
-  std::vector<Eigen::Vector3d> points;
-  text_.expect('[');
-  while (!text_.take(']')) {
-    Eigen::Vector3d x;
-    for (int c = 0; c < 3; ++c) {
-      text_.expect(c == 0 ? '(' : ',');
-      x[c] = text_.take_number();
-    }
-    text_.expect(')');
-    points.push_back(metres_per_unit_ * (is_z_up_ ? Eigen::Vector3d(x[0], x[2], -x[1]) : x));
-    if (!text_.take(',') && text_.peek() != ']') text_.fail("expected ',' or ']'");
-  }
+  std::vector<Eigen::Vector3d> points = text_.take_points();
   if (points.size() != vertices_) {
     text_.fail("expected " + std::to_string(vertices_) +
                " points, as curveVertexCounts says, found " + std::to_string(points.size()));
+  }
+  for (Eigen::Vector3d& x : points) {
+    if (is_z_up_) x = {x[0], x[2], -x[1]};
+    x *= metres_per_unit_;
   }
   return Eigen::Map<const Eigen::Matrix3Xd>(points[0].data(), 3,
                                             static_cast<Eigen::Index>(points.size()));

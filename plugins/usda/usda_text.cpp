@@ -91,6 +91,21 @@ std::vector<double> UsdaText::take_numbers() {
   return numbers;
 }
 
+std::vector<Eigen::Vector3d> UsdaText::take_points() {
+  std::vector<Eigen::Vector3d> points;
+  expect('[');
+  while (!take(']')) {
+    Eigen::Vector3d& x = points.emplace_back();
+    for (int c = 0; c < 3; ++c) {
+      expect(c == 0 ? '(' : ',');
+      x[c] = take_number();
+    }
+    expect(')');
+    if (!take(',') && peek() != ']') fail("expected ',' or ']'");
+  }
+  return points;
+}
+
 void UsdaText::skip_value() {
   const std::string_view opening = "([{", closing = ")]}";
   std::string open;  // what closes the brackets around this place

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -27,6 +28,8 @@ class UsdaText {
   std::string take_string();
   /// [a, b, ...]
   std::vector<double> take_numbers();
+  /// [(x, y, z), ...]
+  std::vector<Eigen::Vector3d> take_points();
   /// Passes over a value of any kind, with all that is in its brackets.
   void skip_value();
 

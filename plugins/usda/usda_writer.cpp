@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "plugins/usda/usda_text.h"
 
 namespace ringlet {
 namespace {
@@ -40,8 +41,45 @@ void UsdaWriter::begin(const Model& model, const State& state,
   path_ = folder / "run.usda";
   file_.open(path_, std::ios::binary | std::ios::in | std::ios::out | std::ios::trunc);
   extent_.setEmpty();
-  write_head(model.strands, state.time);
+  file_ << head(model.strands, time_code(state));
   append(state, 0);
+}
+
+void UsdaWriter::resume(const Model& model, const State& state, const std::filesystem::path& folder,
+                        int step) {
+  path_ = folder / "run.usda";
+  file_.open(path_, std::ios::binary | std::ios::in | std::ios::out);
+  std::string expected = head(model.strands, 0), found(expected.size(), '\0');
+  file_.read(found.data(), static_cast<std::streamsize>(found.size()));
+  for (std::string* text : {&expected, &found}) {
+    text->replace(static_cast<std::size_t>(end_time_), time_width, time_width, ' ');
+  }
+  if (!file_ || found != expected) {
+    throw Error("'" + path_.string() + "' is not there, or of other strands or parameters");
+  }
+  const bool with_last = step % parameters_.sequence.every == 0;
+  keep_samples(time_code(state), with_last);
+  last_step_ = with_last ? step : -1;
+}
+
+void UsdaWriter::keep_samples(double last_code, bool with_last) {
+  extent_.setEmpty();
+  double end_code = 0;
+  for (std::string line; std::getline(file_, line) && !file_.eof() && line.ends_with("],");) {
+    UsdaText text(path_, line);
+    const double sample_code = text.take_number();
+    if (sample_code > last_code || (sample_code == last_code && !with_last)) break;
+    text.expect(':');
+    for (const Eigen::Vector3d& x : text.take_points()) extent_.extend(x.cast<float>());
+    tail_ += static_cast<std::streamoff>(line.size() + 1);
+    end_code = sample_code;
+  }
+  if (extent_.isEmpty()) throw Error("'" + path_.string() + "' holds no whole state");
+  std::filesystem::resize_file(path_, static_cast<std::uintmax_t>(tail_));
+  file_.clear();
+  file_.seekp(tail_);
+  file_ << tail();
+  write_end_time(end_code);
 }
 
 void UsdaWriter::observe(const Model&, const State& state, int step, const StepReport&) {
@@ -52,20 +90,22 @@ void UsdaWriter::end(const Model&, const State& state, int step) {
   if (last_step_ != step) append(state, step);
 }
 
-void UsdaWriter::write_head(const Strands& strands, double start) {
-  file_ << "#usda 1.0\n(\n    defaultPrim = \"strands\"\n    doc = \"strands of ringlet\"\n"
-           "    endTimeCode = ";
-  end_time_ = file_.tellp();
-  file_ << fmt::format(
+std::string UsdaWriter::head(const Strands& strands, double start) {
+  const std::string begin =
+      "#usda 1.0\n(\n    defaultPrim = \"strands\"\n    doc = \"strands of ringlet\"\n"
+      "    endTimeCode = ";
+  const std::string rest = fmt::format(
       "{:<{}}\n    metersPerUnit = 1\n    startTimeCode = {}\n    timeCodesPerSecond = {}\n"
       "    upAxis = \"Y\"\n)\n\ndef BasisCurves \"strands\"\n{{\n"
       "    uniform token type = \"linear\"\n    uniform token wrap = \"nonperiodic\"\n"
       "    int[] curveVertexCounts = [{}]\n"
       "    float[] widths = [{}] (\n        interpolation = \"vertex\"\n    )\n"
       "    point3f[] points.timeSamples = {{\n",
-      0, time_width, start * parameters_.time_codes_per_second, parameters_.time_codes_per_second,
-      vertex_counts(strands), widths(strands));
-  tail_ = file_.tellp();
+      0, time_width, start, parameters_.time_codes_per_second, vertex_counts(strands),
+      widths(strands));
+  end_time_ = static_cast<std::streamoff>(begin.size());
+  tail_ = static_cast<std::streamoff>(begin.size() + rest.size());
+  return begin + rest;
 }
 
 void UsdaWriter::append(const State& state, int step) {
@@ -73,15 +113,14 @@ void UsdaWriter::append(const State& state, int step) {
   file_.seekp(tail_);
   file_ << line << tail() << std::flush;
   tail_ += static_cast<std::streamoff>(line.size());
-  write_end_time(state.time);
+  write_end_time(time_code(state));
   if (!file_) throw Error("cannot write '" + path_.string() + "': is the disk full?");
   last_step_ = step;
 }
 
 std::string UsdaWriter::sample(const State& state) {
   fmt::memory_buffer line;
-  fmt::format_to(std::back_inserter(line), "        {}: [",
-                 state.time * parameters_.time_codes_per_second);
+  fmt::format_to(std::back_inserter(line), "        {}: [", time_code(state));
   for (int v = 0; v < state.positions.groups().vertex_count(); ++v) {
     const Eigen::Vector3f x = state.positions.get(v).cast<float>();
     extent_.extend(x);
@@ -97,10 +136,9 @@ std::string UsdaWriter::tail() const {
                      extent_width);
 }
 
-void UsdaWriter::write_end_time(double time) {
+void UsdaWriter::write_end_time(double code) {
   file_.seekp(end_time_);
-  file_ << fmt::format("{:<{}}", time * parameters_.time_codes_per_second, time_width)
-        << std::flush;
+  file_ << fmt::format("{:<{}}", code, time_width) << std::flush;
 }
 
 }  // namespace ringlet

@@ -28,16 +28,24 @@ class UsdaWriter final : public Observer {
   explicit UsdaWriter(const UsdaParameters& parameters) : parameters_(parameters) {}
 
   void begin(const Model& model, const State& state, const std::filesystem::path& folder) override;
+  void resume(const Model& model, const State& state, const std::filesystem::path& folder,
+              int step) override;
   void observe(const Model& model, const State& state, int step, const StepReport& report) override;
   void end(const Model& model, const State& state, int step) override;
 
  private:
-  void write_head(const Strands& strands, double start);
+  /// What is ahead of the samples; sets the places in it.
+  std::string head(const Strands& strands, double start);
+  /// Takes over the samples of an earlier run until a time code, that one only if it is wanted.
+  void keep_samples(double last_code, bool with_last);
   void append(const State& state, int step);
   std::string sample(const State& state);
   /// What closes the file, always of the same size.
   std::string tail() const;
-  void write_end_time(double time);
+  void write_end_time(double code);
+  double time_code(const State& state) const {
+    return state.time * parameters_.time_codes_per_second;
+  }
 
   UsdaParameters parameters_;
   std::filesystem::path path_;

@@ -90,4 +90,16 @@ std::vector<PvdEntry> read_pvd(const std::filesystem::path& path) {
   return entries;
 }
 
+std::vector<FrameFile> list_pvd_frames(const std::filesystem::path& path) {
+  std::vector<FrameFile> files;
+  bool ascend = true;
+  for (const PvdEntry& entry : read_pvd(path)) {
+    const auto step = step_in_name(entry.file);
+    ascend = ascend && step && (files.empty() || *step > files.back().step);
+    files.push_back({step.value_or(0), path.parent_path() / entry.file});
+  }
+  for (std::size_t i = 0; i < files.size() && !ascend; ++i) files[i].step = static_cast<int>(i);
+  return files;
+}
+
 }  // namespace ringlet

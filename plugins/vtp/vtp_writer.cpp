@@ -1,18 +1,10 @@
 #include "plugins/vtp/vtp_writer.h"
 
-#include <spdlog/fmt/fmt.h>
-
 #include "core/atomic_file.h"
 #include "plugins/vtp/pvd.h"
-#include "plugins/vtp/vtp_frames.h"
 #include "plugins/vtp/vtp_reader.h"
 
 namespace ringlet {
-namespace {
-
-std::string frame_name(int step) { return fmt::format("frames/frame_{:05}.vtp", step); }
-
-}  // namespace
 
 void VtpWriter::begin(const Model& model, const State& state, const std::filesystem::path& folder) {
   keep_frames(folder, -1);
@@ -28,12 +20,8 @@ void VtpWriter::resume(const Model&, const State&, const std::filesystem::path& 
 void VtpWriter::keep_frames(const std::filesystem::path& folder, int last) {
   folder_ = folder;
   frames_.clear();
-  for (const VtpFrameFile& file : list_vtp_frames(folder)) {
-    if (file.step > last || file.step % parameters_.every != 0) {
-      std::filesystem::remove(file.path);
-    } else {
-      frames_.push_back({file.step, read_vtp_frame(file.path).time, frame_name(file.step)});
-    }
+  for (const FrameFile& file : keep_frame_files(folder, "vtp", parameters_.every, last)) {
+    frames_.push_back({file.step, read_vtp_frame(file.path).time, frame_name(file.step, "vtp")});
   }
 }
 
@@ -46,7 +34,7 @@ void VtpWriter::end(const Model& model, const State& state, int step) {
 }
 
 void VtpWriter::write_frame(const Model& model, const State& state, int step) {
-  const std::string name = frame_name(step);
+  const std::string name = frame_name(step, "vtp");
   AtomicFile file(folder_ / name);
   write_vtp(model.strands, state, parameters_.encoding, file.stream());
   file.commit();

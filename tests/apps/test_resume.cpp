@@ -24,14 +24,19 @@ Json lively_scene(double checkpoint_seconds) {
                   {"checkpoint_seconds", checkpoint_seconds},
                   {"write",
                    {{{"type", "vtp"}, {"every", 3}},
-                    {{"type", "frames"}, {"every", 4}, {"precision", "double"}}}}};
+                    {{"type", "frames"}, {"every", 4}, {"precision", "double"}},
+                    {{"type", "usda"}, {"every", 3}},
+                    {{"type", "obj"}, {"every", 7}},
+                    {{"type", "ply"}, {"every", 3}},
+                    {{"type", "hair"}, {"every", 20}},
+                    {{"type", "data"}, {"every", 7}}}}};
   return scene;
 }
 
 /// Of all that two runs wrote, what differs but for times.
 std::vector<std::string> differences(const fs::path& a, const fs::path& b) {
   std::vector<std::string> found;
-  for (const char* file : {"frames.bin", "run.pvd", "scene.resolved.json"}) {
+  for (const char* file : {"frames.bin", "run.pvd", "run.usda", "scene.resolved.json"}) {
     if (read_text(a / file) != read_text(b / file)) found.push_back(file);
   }
   if (read_files(a / "frames") != read_files(b / "frames")) found.push_back("frames");

@@ -46,6 +46,12 @@ class WrittenRun {
       writer->observe(model, state, step, {});
     }
   }
+  /// Another writer goes on after a step, in the same folder.
+  void resume(const Json& choice, int step) {
+    go_to(step);
+    writer = make_of_plugins<Observer>(choice);
+    writer->resume(model, state, folder.path(), step);
+  }
   void end(int step) { writer->end(model, state, step); }
 
   /// Whether strands are those of a step; with other radii only if the file has none.

@@ -69,6 +69,28 @@ TEST_CASE("the last state is not written twice, and equal states give equal byte
   }
 }
 
+TEST_CASE("a sequence that goes on after a break ends as without one") {
+  for (const auto& [writer, extension, has_radii] : sequences()) {
+    for (const int step : {2, 3}) {
+      CAPTURE(writer.dump(), step);
+      WrittenRun whole(writer), broken(writer);
+      whole.steps(1, 5);
+      whole.end(5);
+      broken.steps(1, 3);
+      broken.end(3);
+      broken.resume(writer, step);
+      broken.steps(step + 1, 5);
+      broken.end(5);
+      const auto names = files_in(whole.folder.path() / "frames");
+      CHECK(files_in(broken.folder.path() / "frames") == names);
+      for (const std::string& name : names) {
+        const fs::path file = fs::path("frames") / name;
+        CHECK(bytes_in(broken.folder.path() / file) == bytes_in(whole.folder.path() / file));
+      }
+    }
+  }
+}
+
 TEST_CASE("damaged files of every format are read or refused, never crashed on") {
   for (const auto& [writer, extension, has_radii] : sequences()) {
     CAPTURE(writer.dump());

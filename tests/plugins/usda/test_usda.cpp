@@ -81,6 +81,46 @@ TEST_CASE("run.usda is whole also where a state and the extent are shorter than 
         std::vector<float>{-9, -9, -9, 9, 9, 9});
 }
 
+TEST_CASE("run.usda goes on after a break, wherever it was torn, and ends as without one") {
+  WrittenRun whole(every_second), broken(every_second);
+  for (WrittenRun* run : {&whole, &broken}) run->steps(1, 4);
+  const std::string at_break = bytes_in(broken.folder.path() / "run.usda");
+  const std::size_t samples = at_break.find("    }\n    float3[] extent");
+  whole.steps(5, 6);
+  whole.end(6);
+  const std::string path = broken.folder.path() / "run.usda";
+  const std::string expected = bytes_in(whole.folder.path() / "run.usda");
+  const std::string later = expected.substr(samples);
+  for (std::size_t size = 0; size < later.size(); size += 7) {
+    CAPTURE(size);
+    std::ofstream(path, std::ios::binary) << at_break.substr(0, samples) + later.substr(0, size);
+    broken.resume(every_second, 4);
+    CHECK(bytes_in(path) == at_break);
+    broken.steps(5, 6);
+    broken.end(6);
+    CHECK(bytes_in(path) == expected);
+  }
+  broken.resume(every_second, 3);
+  check_content(broken, {0, 2});
+  broken.end(3);
+  check_content(broken, {0, 2, 3});
+  broken.resume(every_second, 3);
+  check_content(broken, {0, 2});
+}
+
+TEST_CASE("what is no run.usda of the same strands and parameters is not gone on with") {
+  WrittenRun run(every_second);
+  const std::string path = run.folder.path() / "run.usda";
+  const std::string whole = bytes_in(path);
+  CHECK_THROWS_WITH(run.resume("usda", 0), Catch::Contains("of other strands or parameters"));
+  for (const std::size_t size : {std::size_t{0}, std::size_t{100}, whole.find("widths")}) {
+    std::ofstream(path, std::ios::binary) << whole.substr(0, size);
+    CHECK_THROWS_WITH(run.resume(every_second, 0), Catch::Contains("of other strands"));
+  }
+  std::ofstream(path, std::ios::binary) << whole.substr(0, whole.find("        0: ["));
+  CHECK_THROWS_WITH(run.resume(every_second, 0), Catch::Contains("holds no whole state"));
+}
+
 TEST_CASE("run.usda is read back, all states with their times, and the first as strands") {
   WrittenRun run(every_second);
   run.steps(1, 4);
