@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/atomic_file.h"
-#include "core/readers/byte_reader.h"
+#include "core/readers/file_bytes.h"
 
 namespace ringlet {
 namespace {

@@ -1,7 +1,7 @@
 // The .data format of USC-HairSalon. Little endian: i32 number of strands; for each of them i32
 // number of vertices and f32 coordinates of each vertex. One vertex stands for a bald spot.
 // Source: L. Hu et al., Single-View Hair Modeling Using a Hairstyle Database, SIGGRAPH 2015.
-#include "core/readers/byte_reader.h"
+#include "core/readers/file_bytes.h"
 #include "core/registry.h"
 #include "core/strand_reader.h"
 
@@ -9,7 +9,7 @@ namespace ringlet {
 namespace {
 
 // A count of things that take at least so many bytes each.
-int take_count(ByteReader& bytes, std::uint64_t bytes_each, const std::string& what) {
+int take_count(FileBytes& bytes, std::uint64_t bytes_each, const std::string& what) {
   const auto count = bytes.take<std::int32_t>("number of " + what);
   if (count < 0) bytes.fail("expected a number of " + what + ", found " + std::to_string(count));
   bytes.require(bytes_each * static_cast<std::uint64_t>(count), std::to_string(count) + " " + what);
@@ -19,7 +19,7 @@ int take_count(ByteReader& bytes, std::uint64_t bytes_each, const std::string& w
 class DataReader final : public StrandReader {
  public:
   Polylines read(const std::filesystem::path& file) const override {
-    ByteReader bytes(file);
+    FileBytes bytes(file);
     Polylines polylines;
     const int strands = take_count(bytes, sizeof(std::int32_t), "strands");
     for (int strand = 0; strand < strands; ++strand) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/readers/byte_reader.h"
+#include "core/readers/file_bytes.h"
 #include "core/registry.h"
 #include "core/strand_reader.h"
 
@@ -25,7 +25,7 @@ std::string in_words(std::uint64_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun;
 }
 
-Header take_header(ByteReader& bytes) {
+Header take_header(FileBytes& bytes) {
   bytes.require(128, "header");
   for (const char letter : std::string("HAIR")) {
     if (bytes.take<char>("magic word") != letter) bytes.fail("expected the magic word 'HAIR'");
@@ -54,7 +54,7 @@ Header take_header(ByteReader& bytes) {
   return header;
 }
 
-std::vector<int> take_vertex_counts(ByteReader& bytes, const Header& header) {
+std::vector<int> take_vertex_counts(FileBytes& bytes, const Header& header) {
   std::vector<int> counts;
   std::uint64_t points = 0;
   for (std::uint32_t strand = 0; strand < header.strands; ++strand) {
@@ -72,7 +72,7 @@ std::vector<int> take_vertex_counts(ByteReader& bytes, const Header& header) {
 }
 
 // None if any of them makes no sense: a simulation does not need them.
-std::vector<double> take_radii(ByteReader& bytes, const Header& header) {
+std::vector<double> take_radii(FileBytes& bytes, const Header& header) {
   std::vector<double> radii;
   if (!header.has_thickness && header.default_thickness == 0) return radii;
   for (std::uint32_t i = 0; i < header.points; ++i) {
@@ -87,7 +87,7 @@ std::vector<double> take_radii(ByteReader& bytes, const Header& header) {
 class HairReader final : public StrandReader {
  public:
   Polylines read(const std::filesystem::path& file) const override {
-    ByteReader bytes(file);
+    FileBytes bytes(file);
     const Header header = take_header(bytes);
     Polylines polylines;
     polylines.vertex_counts = take_vertex_counts(bytes, header);

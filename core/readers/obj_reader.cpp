@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "core/readers/byte_reader.h"
+#include "core/readers/file_bytes.h"
 #include "core/registry.h"
 #include "core/strand_reader.h"
 

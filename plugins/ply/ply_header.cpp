@@ -26,7 +26,7 @@ constexpr std::array<TypeName, 8> types{{{"char", "int8", PlyType::int8, 1},
 
 constexpr int longest_line = 1000;
 
-std::vector<std::string> take_words(ByteReader& bytes) {
+std::vector<std::string> take_words(FileBytes& bytes) {
   std::string line;
   while (true) {
     const char letter = bytes.take<char>("header");
@@ -40,14 +40,14 @@ std::vector<std::string> take_words(ByteReader& bytes) {
   return words;
 }
 
-PlyType type_of(const std::string& name, const ByteReader& bytes) {
+PlyType type_of(const std::string& name, const FileBytes& bytes) {
   for (const TypeName& type : types) {
     if (name == type.name || name == type.other_name) return type.type;
   }
   bytes.fail("expected a type of number, found '" + name + "'");
 }
 
-std::int64_t count_of(const std::string& word, const ByteReader& bytes) {
+std::int64_t count_of(const std::string& word, const FileBytes& bytes) {
   std::int64_t count = -1;
   const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), count);
   if (failure != std::errc() || end != word.data() + word.size() || count < 0 ||
@@ -57,13 +57,13 @@ std::int64_t count_of(const std::string& word, const ByteReader& bytes) {
   return count;
 }
 
-void take_format(const std::string& name, const ByteReader& bytes, PlyHeader& header) {
+void take_format(const std::string& name, const FileBytes& bytes, PlyHeader& header) {
   header.is_ascii = name == "ascii";
   if (header.is_ascii || name == "binary_little_endian") return;
   bytes.fail("expected the format 'ascii' or 'binary_little_endian', found '" + name + "'");
 }
 
-void take_property(const std::vector<std::string>& words, const ByteReader& bytes,
+void take_property(const std::vector<std::string>& words, const FileBytes& bytes,
                    PlyHeader& header) {
   const bool is_list = words.size() == 5 && words[1] == "list";
   if (header.elements.empty() || (!is_list && words.size() != 3)) {
@@ -75,7 +75,7 @@ void take_property(const std::vector<std::string>& words, const ByteReader& byte
 }
 
 /// Every number takes its bytes, in a text at least a digit; lists may be empty.
-void check_size(const PlyHeader& header, const ByteReader& bytes) {
+void check_size(const PlyHeader& header, const FileBytes& bytes) {
   for (const PlyElement& element : header.elements) {
     if (element.properties.empty() && element.count > 0) {
       bytes.fail("expected properties of the element '" + element.name + "'");
@@ -101,7 +101,7 @@ int PlyElement::find(const std::string& property) const {
   return -1;
 }
 
-PlyHeader take_ply_header(ByteReader& bytes) {
+PlyHeader take_ply_header(FileBytes& bytes) {
   if (take_words(bytes) != std::vector<std::string>{"ply"}) {
     bytes.fail("expected the first line 'ply'");
   }

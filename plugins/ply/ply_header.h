@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/readers/byte_reader.h"
+#include "core/readers/file_bytes.h"
 
 namespace ringlet {
 
@@ -37,6 +37,6 @@ struct PlyHeader {
 
 /// Takes the header off a file. Throws Error where it is none, or where the file is too short for
 /// the elements that it announces.
-PlyHeader take_ply_header(ByteReader& bytes);
+PlyHeader take_ply_header(FileBytes& bytes);
 
 }  // namespace ringlet

@@ -160,7 +160,7 @@ class PlyParser {
     return value;
   }
 
-  ByteReader bytes_;
+  FileBytes bytes_;
   PlyHeader header_;
   std::vector<double> row_;
   Polylines vertices_;

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/readers/byte_reader.h"
+#include "core/readers/file_bytes.h"
 
 namespace ringlet {
 namespace {

@@ -14,9 +14,9 @@ std::string read_bytes(const std::filesystem::path& file);
 
 /// Takes numbers out of a little-endian binary file, one after the other. Every error names the
 /// file and the byte.
-class ByteReader {
+class FileBytes {
  public:
-  explicit ByteReader(const std::filesystem::path& file) : file_(file), bytes_(read_bytes(file)) {}
+  explicit FileBytes(const std::filesystem::path& file) : file_(file), bytes_(read_bytes(file)) {}
 
   std::uint64_t left() const { return bytes_.size() - position_; }
   /// Throws Error unless at least so many bytes are left for what is to be read.

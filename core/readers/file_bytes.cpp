@@ -1,4 +1,4 @@
-#include "core/readers/byte_reader.h"
+#include "core/readers/file_bytes.h"
 
 #include <fstream>
 
@@ -17,18 +17,18 @@ std::string read_bytes(const std::filesystem::path& file) {
   return bytes;
 }
 
-void ByteReader::require(std::uint64_t bytes, const std::string& what) const {
+void FileBytes::require(std::uint64_t bytes, const std::string& what) const {
   if (bytes <= left()) return;
   fail("expected " + std::to_string(bytes) + " bytes of " + what + ", but only " +
        std::to_string(left()) + " are left in the file");
 }
 
-void ByteReader::skip(std::uint64_t bytes, const std::string& what) {
+void FileBytes::skip(std::uint64_t bytes, const std::string& what) {
   require(bytes, what);
   position_ += bytes;
 }
 
-Eigen::Vector3d ByteReader::take_point() {
+Eigen::Vector3d FileBytes::take_point() {
   require(3 * sizeof(float), "a vertex");
   Eigen::Vector3d point;
   for (double& coordinate : point) coordinate = take<float>("a coordinate");
@@ -39,7 +39,7 @@ Eigen::Vector3d ByteReader::take_point() {
   return point;
 }
 
-void ByteReader::fail(const std::string& problem) const {
+void FileBytes::fail(const std::string& problem) const {
   throw Error("'" + file_.string() + "', byte " + std::to_string(position_) + ": " + problem);
 }
 
