@@ -32,6 +32,12 @@ double positive_number(const Arguments& arguments, const std::string& option, do
   return value;
 }
 
+/// OUT, also where it is written as a folder: OUT/.
+fs::path output_path(const Arguments& arguments) {
+  const fs::path out = *arguments.operand(1);
+  return out.has_filename() ? out : out.parent_path();
+}
+
 InputFrames read_input(const Registry& registry, const Arguments& arguments) {
   InputUnits units;
   units.scale = positive_number(arguments, "--scale", units.scale);
@@ -93,7 +99,7 @@ void write_in_scene(const InputFrames& frames, const std::string& writer, const 
 }
 
 int write_folder(Registry& registry, const Arguments& arguments) {
-  const fs::path in = *arguments.operand(0), out = *arguments.operand(1);
+  const fs::path in = *arguments.operand(0), out = output_path(arguments);
   const std::string writer = *arguments.value("--write");
   if (fs::exists(out)) throw Error("'" + out.string() + "' exists; expected a new folder");
   const InputFrames frames = read_input(registry, arguments);
@@ -112,7 +118,7 @@ int write_folder(Registry& registry, const Arguments& arguments) {
 }
 
 int write_files(Registry& registry, const Arguments& arguments) {
-  const fs::path out = *arguments.operand(1);
+  const fs::path out = output_path(arguments);
   const OutputFormat format = output_format(out);
   const InputFrames frames = read_input(registry, arguments);
   const std::vector<OutputFile> files = output_files(format, out, frames.steps);

@@ -65,6 +65,7 @@ class Document {
     std::memcpy(&size, &bytes_[begin], sizeof(size));
     require(size <= bytes_.size() - begin - sizeof(size), "an array beyond the end");
     std::vector<T> values(size / sizeof(T));
+    if (values.empty()) return values;
     std::memcpy(values.data(), &bytes_[begin + sizeof(size)], values.size() * sizeof(T));
     return values;
   }

@@ -266,7 +266,7 @@ TEST_CASE("units and radii that a file does not know may be given, bald spots ar
 
 TEST_CASE("any writer sees the frames of a run again, with velocities between them") {
   Converter files;
-  files.convert("run", "seen", {"--write", "witness"});
+  files.convert("run", "seen/", {"--write", "witness"});
   CHECK(files.shown.steps == std::vector<int>{0, 2, 5});
   CHECK(files.shown.times[2] == Approx(0.5));
   CHECK(files.shown.first_velocities[0] == Eigen::Vector3d::Zero());

@@ -42,8 +42,8 @@ TEST_CASE("a file a state is read back as it was written") {
     WrittenRun run(writer);
     run.steps(1, 5);
     run.end(5);
-    const auto name = [&](int step) {
-      return "frame_0000" + std::to_string(step) + "." + extension;
+    const auto name = [end = "." + extension](int step) {
+      return "frame_0000" + std::to_string(step) + end;
     };
     CHECK(files_in(run.folder.path() / "frames") ==
           std::set<std::string>{name(0), name(2), name(4), name(5)});
