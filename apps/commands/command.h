@@ -25,6 +25,7 @@ Command new_command();
 Command verify_command();
 Command eval_command();
 Command bench_command();
+Command render_command();
 Command report_command();
 Command study_command();
 Command convert_command();
