@@ -1,29 +1,44 @@
 #include "plugins/render/curves.h"
 
-#include <algorithm>
-
 namespace ringlet {
+namespace {
 
-std::uint64_t Curves::curve_of(std::uint32_t segment) const {
-  const auto after = std::upper_bound(strand_segments.begin(), strand_segments.end(), segment);
-  const auto strand = static_cast<std::uint64_t>(after - strand_segments.begin()) - 1;
-  const std::uint32_t first = strand_segments[strand];
-  const std::uint32_t of_each =
-      (strand_segments[strand + 1] - first) / static_cast<std::uint32_t>(per_strand);
-  return strand * static_cast<std::uint64_t>(per_strand) + (segment - first) / of_each;
+CurvePoint make_point(const Eigen::Vector3d& point, double radius) {
+  return {static_cast<float>(point.x()), static_cast<float>(point.y()),
+          static_cast<float>(point.z()), static_cast<float>(radius)};
 }
 
-void Curves::derivative(std::uint32_t segment, float u, float direction[3]) const {
-  // Of the basis ((-u^3 + 2u^2 - u), (3u^3 - 5u^2 + 2), (-3u^3 + 4u^2 + u), (u^3 - u^2)) / 2.
-  const float weights[4] = {0.5F * (-3 * u * u + 4 * u - 1), 0.5F * (9 * u * u - 10 * u),
-                            0.5F * (-9 * u * u + 8 * u + 1), 0.5F * (3 * u * u - 2 * u)};
-  const CurvePoint* point = &points[segments[segment]];
-  std::fill(direction, direction + 3, 0.0F);
-  for (int i = 0; i < 4; ++i) {
-    direction[0] += weights[i] * point[i].x;
-    direction[1] += weights[i] * point[i].y;
-    direction[2] += weights[i] * point[i].z;
+/// Where a curve comes from and goes to, if it goes straight on.
+CurvePoint beyond(const CurvePoint& end, const CurvePoint& inner) {
+  return {2 * end.x - inner.x, 2 * end.y - inner.y, 2 * end.z - inner.z, end.radius};
+}
+
+}  // namespace
+
+Eigen::Array4f catmull_rom_slope(float u) {
+  return 0.5F * Eigen::Array4f(-3 * u * u + 4 * u - 1, 9 * u * u - 10 * u, -9 * u * u + 8 * u + 1,
+                               3 * u * u - 2 * u);
+}
+
+Curves make_curves(const StrandShapes& strands, const Eigen::Vector3d& origin) {
+  Curves curves;
+  Eigen::Index vertex = 0;
+  for (std::size_t strand = 0; strand < strands.vertex_counts.size(); ++strand) {
+    const int count = strands.vertex_counts[strand];
+    const auto first = static_cast<std::uint32_t>(curves.points.size());
+    curves.points.emplace_back();
+    for (int i = 0; i < count; ++i, ++vertex) {
+      curves.points.push_back(make_point(strands.positions.col(vertex) - origin,
+                                         strands.radii[static_cast<std::size_t>(vertex)]));
+    }
+    curves.points.push_back(beyond(curves.points.back(), curves.points[curves.points.size() - 2]));
+    curves.points[first] = beyond(curves.points[first + 1], curves.points[first + 2]);
+    for (int i = 0; i + 1 < count; ++i) {
+      curves.segments.push_back(first + static_cast<std::uint32_t>(i));
+      curves.strands.push_back(static_cast<std::uint32_t>(strand));
+    }
   }
+  return curves;
 }
 
 }  // namespace ringlet

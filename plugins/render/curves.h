@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "plugins/render/strand_shapes.h"
+
 namespace ringlet {
 
 /// A point that a curve passes through, and the curve's radius there, m: what Embree takes.
@@ -10,18 +12,18 @@ struct alignas(16) CurvePoint {
   float x, y, z, radius;
 };
 
-/// Catmull-Rom curves. A segment goes from the second to the third of four points in a row, of
-/// which it names the first; so each curve has one point more at each end.
+/// Strands as Catmull-Rom curves. A segment goes from the second to the third of four points in a
+/// row, of which it names the first; so each curve has one point more at each end.
 struct Curves {
   std::vector<CurvePoint> points;
   std::vector<std::uint32_t> segments;
-  int per_strand = 1;                          ///< curves of each simulated strand
-  std::vector<std::uint32_t> strand_segments;  ///< first segment of each strand, and their number
-
-  /// The number of the curve that a segment is of, counted over all.
-  std::uint64_t curve_of(std::uint32_t segment) const;
-  /// The direction of a segment where its parameter is u in [0, 1]; not of length 1.
-  void derivative(std::uint32_t segment, float u, float direction[3]) const;
+  std::vector<std::uint32_t> strands;  ///< that each segment is of
 };
+
+/// The curves through the vertices of strands, relative to an origin.
+Curves make_curves(const StrandShapes& strands, const Eigen::Vector3d& origin);
+
+/// How much each of four points counts for the direction of a Catmull-Rom curve at u in [0, 1].
+Eigen::Array4f catmull_rom_slope(float u);
 
 }  // namespace ringlet

@@ -71,6 +71,8 @@ Schema<RenderParameters> RenderParameters::schema() {
            "radius of the bundle of children, in radii of the strand")
       .key("frizz", &RenderParameters::frizz, "", between(0, 1),
            "how far children wander within their bundle; 0: all run parallel")
+      .key("strays", &RenderParameters::strays, "", between(0, 1),
+           "the part of the children that leave their bundle, for up to four times its radius")
       .key("melanin", &RenderParameters::melanin, "", between(0, 1),
            "0: white, 0.3: blond, 0.6: brown, 1: black hair")
       .key("redness", &RenderParameters::redness, "", between(0, 1),

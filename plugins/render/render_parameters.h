@@ -32,7 +32,7 @@ struct RenderParameters {
   int children = 0;
   double child_radius = 4e-5;  // m
   double spread = 1;
-  double frizz = 0.3;
+  double frizz = 0.4, strays = 0.1;
   double melanin = 0.7, redness = 0.3;
   std::optional<Eigen::Vector3d> hair_colour;
   Eigen::Vector3d collider_colour{0.62, 0.43, 0.33};

@@ -67,13 +67,13 @@ Picture draw(const Subject& subject, const Camera& camera, const Eigen::Vector3d
   const Eigen::Vector3d origin = subject.strands.positions.cols() > 0
                                      ? Eigen::Vector3d(subject.strands.positions.rowwise().mean())
                                      : Eigen::Vector3d::Zero();
-  const HairShading hair(parameters);
-  const bool thin = parameters.children > 0;
-  const TracedScene scene(make_curves(subject.strands,
-                                      {parameters.children, parameters.child_radius,
-                                       parameters.spread, parameters.frizz},
-                                      origin),
-                          thin, thin ? hair.transmitted() : 0, subject.shapes, origin);
+  const bool has_children = parameters.children > 0;
+  const ChildParameters children{parameters.children, parameters.child_radius, parameters.spread,
+                                 parameters.frizz, parameters.strays};
+  const TracedScene scene(
+      has_children ? Curves() : make_curves(subject.strands, origin),
+      has_children ? make_bundles(subject.strands, children, origin) : Bundles(),
+      HairShading(parameters).transmitted(), subject.shapes, origin);
   const Lighting lighting(scene, parameters, up);
   const Painter painter(lighting, camera, origin, parameters);
   Picture picture{camera.width(), camera.height(), {}};

@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "plugins/render/camera.h"
-#include "plugins/render/children.h"
 #include "plugins/render/picture.h"
 #include "plugins/render/render_parameters.h"
 #include "plugins/render/shapes.h"
+#include "plugins/render/strand_shapes.h"
 
 namespace ringlet {
 

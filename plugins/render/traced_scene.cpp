@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "plugins/render/hash.h"
 
 namespace ringlet {
 namespace {
@@ -18,17 +17,6 @@ void check(RTCDevice device) {
 
 /// An edge is drawn sharp where a normal differs from that of the face by more than 35 degrees.
 constexpr float sharp_cosine = 0.82F;
-
-/// Decides whether a ray goes on behind a hair; the geometry's data is the part that does.
-void go_through_by_chance(const RTCFilterFunctionNArguments* arguments) {
-  const float transmitted = *static_cast<const float*>(arguments->geometryUserPtr);
-  for (unsigned i = 0; i < arguments->N; ++i) {
-    if (arguments->valid[i] == 0) continue;
-    const unsigned number = RTCRayN_id(arguments->ray, arguments->N, i);
-    const unsigned segment = RTCHitN_primID(arguments->hit, arguments->N, i);
-    if (hashed_uniform(number, segment) < transmitted) arguments->valid[i] = 0;
-  }
-}
 
 std::vector<Eigen::Vector3f> vertex_normals(const Triangles& triangles) {
   std::vector<Eigen::Vector3f> normals(triangles.vertices.size(), Eigen::Vector3f::Zero());
@@ -53,16 +41,16 @@ RTCRay to_embree(const Ray& ray) {
 
 }  // namespace
 
-TracedScene::TracedScene(Curves curves, bool thin, float transmitted,
+TracedScene::TracedScene(Curves curves, Bundles bundles, float transmitted,
                          const std::vector<Shape>& shapes, const Eigen::Vector3d& origin)
     : origin_(origin),
       curves_(std::move(curves)),
-      transmitted_(transmitted),
+      bundles_(std::move(bundles), transmitted),
       device_(rtcNewDevice(nullptr)),
       scene_(device_ == nullptr ? nullptr : rtcNewScene(device_)) {
   if (scene_ == nullptr) throw Error("Embree cannot be used on this machine");
-  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_COMPACT);
-  if (!curves_.segments.empty()) add_curves(thin);
+  if (!curves_.segments.empty()) add_curves();
+  if (!bundles_.is_empty()) bundles_id_ = attach(bundles_.make(device_));
   for (const Shape& shape : shapes) {
     std::visit([this](const auto& one) { add(one); }, shape);
   }
@@ -87,19 +75,13 @@ Eigen::Vector3f TracedScene::relative(const Eigen::Vector3d& point) const {
   return (point - origin_).cast<float>();
 }
 
-void TracedScene::add_curves(bool thin) {
-  const RTCGeometry geometry =
-      rtcNewGeometry(device_, thin ? RTC_GEOMETRY_TYPE_FLAT_CATMULL_ROM_CURVE
-                                   : RTC_GEOMETRY_TYPE_ROUND_CATMULL_ROM_CURVE);
+void TracedScene::add_curves() {
+  const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_ROUND_CATMULL_ROM_CURVE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
                              curves_.points.data(), 0, sizeof(CurvePoint), curves_.points.size());
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT,
                              curves_.segments.data(), 0, sizeof(std::uint32_t),
                              curves_.segments.size());
-  if (transmitted_ > 0) {
-    rtcSetGeometryUserData(geometry, &transmitted_);
-    rtcSetGeometryOccludedFilterFunction(geometry, go_through_by_chance);
-  }
   curves_id_ = attach(geometry);
 }
 
@@ -149,13 +131,22 @@ void TracedScene::add(const Triangles& triangles) {
   surfaces_[attach(geometry)] = {vertex_normals(triangles), triangles.corners};
 }
 
-Hit TracedScene::hit_of_hair(const RTCRayHit& found) const {
-  Eigen::Vector3f tangent;
-  curves_.derivative(found.hit.primID, found.hit.u, tangent.data());
-  const float length = tangent.norm();
-  if (length > 0) tangent /= length;
-  const float radius = curves_.points[curves_.segments[found.hit.primID] + 1].radius;
-  return {Hit::Kind::hair, found.ray.tfar, tangent, radius, curves_.curve_of(found.hit.primID)};
+Hit TracedScene::hit_of(const RTCRayHit& found) const {
+  if (found.hit.geomID == curves_id_) return hit_of_curve(found);
+  if (found.hit.geomID != bundles_id_) return hit_of_surface(found);
+  const BundleGeometry::Hair hair = bundles_.hair_of(found.hit);
+  return {Hit::Kind::hair, found.ray.tfar, hair.tangent, hair.radius, hair.number};
+}
+
+Hit TracedScene::hit_of_curve(const RTCRayHit& found) const {
+  const CurvePoint* points = &curves_.points[curves_.segments[found.hit.primID]];
+  const Eigen::Array4f slope = catmull_rom_slope(found.hit.u);
+  Eigen::Vector3f tangent = Eigen::Vector3f::Zero();
+  for (int i = 0; i < 4; ++i) {
+    tangent += slope[i] * Eigen::Vector3f(points[i].x, points[i].y, points[i].z);
+  }
+  return {Hit::Kind::hair, found.ray.tfar, tangent.stableNormalized(), points[1].radius,
+          curves_.strands[found.hit.primID]};
 }
 
 Hit TracedScene::hit_of_surface(const RTCRayHit& found) const {
@@ -180,12 +171,11 @@ std::optional<Hit> TracedScene::nearest(const Ray& ray) const {
   found.ray = to_embree(ray);
   found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene_, &context, &found);
+  RayContext context(RayFrame(ray.origin, ray.direction), 0);
+  rtcIntersect1(scene_, &context.context, &found);
   std::optional<Hit> hit;
   if (found.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
-    hit = found.hit.geomID == curves_id_ ? hit_of_hair(found) : hit_of_surface(found);
+    hit = hit_of(found);
   }
   for (const FlatPlane& plane : planes_) {
     const float approach = plane.normal.dot(ray.direction);
@@ -203,10 +193,8 @@ bool TracedScene::is_shadowed(const Ray& ray, unsigned number) const {
     if (approach < 0 && plane.normal.dot(ray.origin) > plane.offset) return true;
   }
   RTCRay traced = to_embree(ray);
-  traced.id = number;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(scene_, &context, &traced);
+  RayContext context(RayFrame(ray.origin, ray.direction), number);
+  rtcOccluded1(scene_, &context.context, &traced);
   return traced.tfar < 0;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "plugins/render/bundle_geometry.h"
 #include "plugins/render/curves.h"
 #include "plugins/render/shapes.h"
 
@@ -31,18 +32,17 @@ struct Hit {
 /// refers to the members.
 class TracedScene {
  public:
-  /// Curves that are `thin` are drawn as ribbons that face each ray, in half the time of tubes,
-  /// which makes no difference where they are thinner than a pixel. `transmitted` is the part of
-  /// light that goes through a hair. Throws Error if the memory does not suffice.
-  TracedScene(Curves curves, bool thin, float transmitted, const std::vector<Shape>& shapes,
+  /// `transmitted` is the part of light that goes straight through a hair of a bundle. Throws
+  /// std::bad_alloc if the memory does not suffice.
+  TracedScene(Curves curves, Bundles bundles, float transmitted, const std::vector<Shape>& shapes,
               const Eigen::Vector3d& origin);
   ~TracedScene();
   TracedScene(const TracedScene&) = delete;
   TracedScene& operator=(const TracedScene&) = delete;
 
   std::optional<Hit> nearest(const Ray& ray) const;
-  /// Whether light along a ray is stopped. At each hair chance decides whether it goes through, the
-  /// same way for the same hair and number.
+  /// Whether light along a ray is stopped. At each hair of a bundle chance decides whether it goes
+  /// through, the same way for the same hair and number.
   bool is_shadowed(const Ray& ray, unsigned number) const;
 
  private:
@@ -50,22 +50,23 @@ class TracedScene {
     std::vector<Eigen::Vector3f> normals;  // of the vertices of a mesh; else none
     std::vector<std::array<int, 3>> corners;
   };
-  void add_curves(bool thin);
+  void add_curves();
   void add(const Ball& ball);
   void add(const Capsule& capsule);
   void add(const Plane& plane);
   void add(const Triangles& triangles);
   unsigned attach(RTCGeometry geometry);
   Eigen::Vector3f relative(const Eigen::Vector3d& point) const;
-  Hit hit_of_hair(const RTCRayHit& found) const;
+  Hit hit_of(const RTCRayHit& found) const;
+  Hit hit_of_curve(const RTCRayHit& found) const;
   Hit hit_of_surface(const RTCRayHit& found) const;
 
   Eigen::Vector3d origin_;
   Curves curves_;
-  float transmitted_;
+  BundleGeometry bundles_;
   RTCDevice device_;
   RTCScene scene_;
-  unsigned curves_id_ = RTC_INVALID_GEOMETRY_ID;
+  unsigned curves_id_ = RTC_INVALID_GEOMETRY_ID, bundles_id_ = RTC_INVALID_GEOMETRY_ID;
   std::vector<Surface> surfaces_;  // by Embree's number
   struct FlatPlane {
     Eigen::Vector3f normal;
