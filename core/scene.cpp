@@ -62,6 +62,21 @@ struct Codec<std::vector<Choice<StrandSource>>> {
   }
 };
 
+template <>
+struct Codec<UncheckedObject> {
+  static std::string type() { return "object"; }
+  static Json schema(const KeyInfo&) { return {{"type", "object"}}; }
+  static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                   ParseContext& context, UncheckedObject& out) {
+    if (json.is_object()) {
+      out.json = json;
+    } else {
+      context.problem(pointer, info.expected());
+    }
+  }
+  static Json write(const UncheckedObject& object) { return object.json; }
+};
+
 Schema<RunParameters> RunParameters::schema() {
   return Schema<RunParameters>()
       .key("steps", &RunParameters::steps, "", at_least(0), "number of time steps")
@@ -106,7 +121,9 @@ Schema<Scene> Scene::schema() {
       .key("solver", &Scene::solver, "", any_number(), "of the linear system of a Newton step")
       .key("integrator", &Scene::integrator, "", any_number(), "advances time")
       .key("run", &Scene::run, "", any_number(), "how long, and what is written")
-      .key("expect", &Scene::expect, "", any_number(), "bounds that a run of the scene must meet");
+      .key("expect", &Scene::expect, "", any_number(), "bounds that a run of the scene must meet")
+      .key("render", &Scene::render, "", any_number(),
+           "how pictures of a run look: see `ringlet describe render`");
 }
 
 namespace {

@@ -33,6 +33,11 @@ struct Expectation {
 /// A motion of a scene: its name, and its parts.
 using NamedMotions = std::map<std::string, std::vector<Choice<Motion>>>;
 
+/// An object that other parts of the program read and check.
+struct UncheckedObject {
+  Json json = Json::object();
+};
+
 /// A scene, read and checked.
 struct Scene {
   std::vector<std::string> plugins;
@@ -48,6 +53,7 @@ struct Scene {
   Choice<Integrator> integrator{"bdf1"};
   RunParameters run;
   std::vector<Expectation> expect;
+  std::optional<UncheckedObject> render;
   std::string about;
   std::optional<std::string> schema_address;
 

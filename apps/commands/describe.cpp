@@ -6,6 +6,7 @@
 #include "apps/exit_codes.h"
 #include "core/scene.h"
 #include "core/scene_schema.h"
+#include "plugins/render/render_parameters.h"
 
 namespace ringlet {
 namespace {
@@ -36,10 +37,35 @@ void print_scene() {
   for (const KeyInfo& key : Scene::schema().infos()) print_key(key, 4);
 }
 
+void print_render() {
+  fmt::print("render (how `ringlet render` draws a run)\n  keys:\n");
+  for (const KeyInfo& key : RenderParameters::schema().infos()) {
+    print_key(key, 4);
+    const bool is_camera = key.name == "camera";
+    if (!is_camera && key.name != "light") continue;
+    for (const KeyInfo& inner :
+         (is_camera ? CameraParameters::schema().infos() : LightParameters::schema().infos())) {
+      print_key(inner, 6);
+    }
+  }
+}
+
+/// With the keys of the entry "render", which core does not know.
+Json whole_schema(const Registry& registry) {
+  Json schema = scene_schema(registry);
+  for (KeyInfo key : Scene::schema().infos()) {
+    if (key.name != "render") continue;
+    key.value_schema = Codec<std::optional<RenderParameters>>::schema;
+    schema["properties"]["render"] = key_schema(key);
+  }
+  return schema;
+}
+
 int describe_named(const Registry& registry, const std::string& name) {
-  std::vector<std::string> known{"scene"};
-  bool found = name == "scene";
-  if (found) print_scene();
+  std::vector<std::string> known{"scene", "render"};
+  if (name == "scene") print_scene();
+  if (name == "render") print_render();
+  bool found = name == "scene" || name == "render";
   registry.for_each_kind([&](const std::string& kind, const auto& catalogue) {
     for (const auto& entry : catalogue.entries()) {
       known.push_back(entry.name);
@@ -58,7 +84,7 @@ int describe(const Registry& registry, const Arguments& arguments) {
     throw Error("expected the name of what to describe, or --schema for the whole scene");
   }
   if (name) return describe_named(registry, *name);
-  fmt::print("{}\n", scene_schema(registry).dump(2));
+  fmt::print("{}\n", whole_schema(registry).dump(2));
   return exit_ok;
 }
 
@@ -68,7 +94,7 @@ Command describe_command() {
   return {
       "describe",
       {"[NAME]"},
-      "keys, units, defaults, equation and source of what `list` names, or of `scene`",
+      "keys, units, defaults, equation and source of what `list` names, of `scene` or `render`",
       {{.name = "--schema",
         .meaning = "instead, a JSON Schema of the whole scene, for editors and other programs"}},
       describe};

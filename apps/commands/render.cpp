@@ -11,8 +11,8 @@
 #include "apps/overrides.h"
 #include "apps/render/chosen_frames.h"
 #include "apps/render/video.h"
+#include "core/json_file.h"
 #include "core/load_plugin.h"
-#include "core/scene.h"
 #include "plugins/render/run_scenery.h"
 
 namespace ringlet {
@@ -22,9 +22,8 @@ namespace fs = std::filesystem;
 
 /// The scene of a run; an empty one for a folder that has only frames.
 Json read_scene_of(const fs::path& folder, Registry& registry) {
-  const fs::path path = folder / "scene.resolved.json";
-  if (!fs::exists(path)) return Json::object();
-  const Json scene = load_json(path);
+  const Json scene = load_json_if_there(folder / "scene.resolved.json");
+  if (scene.is_null()) return Json::object();
   try {
     load_plugins_of(scene, folder, registry);
   } catch (const InvalidInput& error) {
@@ -37,7 +36,8 @@ Json read_scene_of(const fs::path& folder, Registry& registry) {
 /// The entry "render" of the scene, with changes.
 RenderParameters read_parameters(const Json& scene, const Arguments& arguments,
                                  const Registry& registry) {
-  Json look{{"render", scene.value("render", Json::object())}};
+  Json look{{"render", Json::object()}};
+  if (scene.contains("render") && !scene["render"].is_null()) look["render"] = scene["render"];
   for (const std::string& change : arguments.values("--set")) {
     apply_override(look, change);
     if (look.size() == 1) continue;

@@ -16,9 +16,10 @@ constexpr float width_r = 0.14F, width_tt = 0.10F, width_trt = 0.24F;
 /// Reflectance of keratin (index of refraction 1.55) at normal incidence.
 constexpr float reflectance = 0.0465F;
 
-float gaussian(float x, float width) {
-  const float ratio = x / width;
-  return std::exp(-0.5F * ratio * ratio) / (width * std::sqrt(2 * pi));
+/// As wide as two together.
+float gaussian(float x, float width, float other_width) {
+  const float squared = width * width + other_width * other_width;
+  return std::exp(-0.5F * x * x / squared) / std::sqrt(2 * pi * squared);
 }
 
 /// Schlick's approximation.
@@ -56,7 +57,7 @@ HairShading::HairShading(const RenderParameters& parameters)
 }
 
 Rgb HairShading::scattered(const Eigen::Vector3f& tangent, const Eigen::Vector3f& to_light,
-                           const Eigen::Vector3f& to_eye, float darker) const {
+                           const Eigen::Vector3f& to_eye, float darker, float width) const {
   const float sine_light = std::clamp(tangent.dot(to_light), -1.0F, 1.0F);
   const float sine_eye = std::clamp(tangent.dot(to_eye), -1.0F, 1.0F);
   const float theta_light = std::asin(sine_light), theta_eye = std::asin(sine_eye);
@@ -76,11 +77,11 @@ Rgb HairShading::scattered(const Eigen::Vector3f& tangent, const Eigen::Vector3f
   const float entered = (1 - reflected) * (1 - reflected);
   const Rgb through = (-darker / std::max(cosine_difference, 0.1F) * absorption_).exp();
 
-  const float r = gaussian(half + tilt, width_r) * 0.25F * cosine_half_phi * reflected;
-  const Rgb tt =
-      gaussian(half - 0.5F * tilt, width_tt) * gaussian(pi - phi, 0.6F) * entered * through;
-  const Rgb trt = gaussian(half - 1.5F * tilt, width_trt) * gaussian(phi, 0.9F) * entered *
-                  reflected * through * through;
+  const float r = gaussian(half + tilt, width_r, width) * 0.25F * cosine_half_phi * reflected;
+  const Rgb tt = gaussian(half - 0.5F * tilt, width_tt, width) * gaussian(pi - phi, 0.6F, width) *
+                 entered * through;
+  const Rgb trt = gaussian(half - 1.5F * tilt, width_trt, width) * gaussian(phi, 0.9F, width) *
+                  entered * reflected * through * through;
   const float squared = std::max(cosine_difference * cosine_difference, 0.01F);
   const Rgb lobes = (r + tt + trt) / squared;
   const Rgb diffuse = diffuse_ / (pi * pi);

@@ -22,9 +22,10 @@ class HairShading {
 
   /// The light scattered to the eye, of light of radiance 1 from a solid angle of 1. All directions
   /// have length 1: of the hair towards its tip, to the light and to the eye. `darker` scales the
-  /// absorption of this hair.
+  /// absorption of this hair. A light that is wide, rad, needs few samples if its lobes are as
+  /// wide.
   Rgb scattered(const Eigen::Vector3f& tangent, const Eigen::Vector3f& to_light,
-                const Eigen::Vector3f& to_eye, float darker) const;
+                const Eigen::Vector3f& to_eye, float darker, float width) const;
   /// The part of the light that goes on straight behind one hair.
   float transmitted() const { return transmitted_; }
 

@@ -15,6 +15,9 @@ constexpr float pi = std::numbers::pi_v<float>;
 /// Parts of the light on a white surface that faces the key light and the sky.
 constexpr float key_part = 0.7F, sky_part = 0.3F;
 
+/// The sky is so wide that highlights blur, rad.
+constexpr float sky_width = 0.6F;
+
 struct Sides {
   Eigen::Vector3f first, second;
 };
@@ -86,11 +89,11 @@ Rgb Lighting::from_hair(const Ray& ray, const Hit& hit, const PixelSample& sampl
   Rgb light = Rgb::Zero();
   const Eigen::Vector3f key = towards_key(sample);
   if (!scene_.is_shadowed({point, key, inside}, sample.seed)) {
-    light += key_ * hair_.scattered(hit.across, key, to_eye, darker);
+    light += key_ * hair_.scattered(hit.across, key, to_eye, darker, key_radius_);
   }
   const Eigen::Vector3f around = on_sphere(sample(in_sky), sample(in_sky + 1));
   if (!scene_.is_shadowed({point, around, inside}, sample.seed + 1)) {
-    light += 4 * pi * sky(around) * hair_.scattered(hit.across, around, to_eye, darker);
+    light += 4 * pi * sky(around) * hair_.scattered(hit.across, around, to_eye, darker, sky_width);
   }
   return light;
 }

@@ -19,7 +19,7 @@ struct CameraParameters {
 struct LightParameters {
   Eigen::Vector3d direction{0.6, 1, 0.7};
   double angle = 0.06;  // rad
-  double key = 1;
+  double key = 1.4;
   double sky = 1;
 
   static Schema<LightParameters> schema();
@@ -32,8 +32,8 @@ struct RenderParameters {
   int children = 0;
   double child_radius = 4e-5;  // m
   double spread = 1;
-  double frizz = 0.4, strays = 0.1;
-  double melanin = 0.7, redness = 0.3;
+  double frizz = 0.5, strays = 0.1;
+  double melanin = 0.6, redness = 0.3;
   std::optional<Eigen::Vector3d> hair_colour;
   Eigen::Vector3d collider_colour{0.62, 0.43, 0.33};
   Eigen::Vector3d background{0.83, 0.87, 0.91};

@@ -50,6 +50,21 @@ TEST_CASE("a scene with seven mistakes gets seven messages, exit code 2, and no 
                  "'kinetic_energy'?"));
 }
 
+TEST_CASE("mistakes in how pictures look are told with all others") {
+  Json scene = small_scene();
+  scene["strnads"] = 1;
+  scene["render"] = Json::parse(R"({"childern": 100, "light": {"angle": -1}})");
+  const std::string errors = refusal_of(scene);
+  CAPTURE(errors);
+  CHECK(contains(errors, "3 problems"));
+  CHECK(contains(errors, "/strnads: unknown key"));
+  CHECK(contains(errors, "/render/childern: unknown key; did you mean 'children'?"));
+  CHECK(contains(errors, "/render/light/angle: expected number in [0, 0.5] in rad, found -1"));
+  scene = small_scene();
+  scene["render"] = 3;
+  CHECK(contains(refusal_of(scene), "/render: expected object"));
+}
+
 TEST_CASE("other bad input is refused, too") {
   Json plugins = small_scene();
   plugins["plugins"] = Json::parse(R"(["./mine.so"])");
