@@ -8,7 +8,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string tiny = R"({"width": 32, "height": 24, "samples": 1, "children": 5})";
+const std::string tiny =
+    R"({"width": 80, "height": 60, "samples": 4, "children": 5, "child_radius": 1e-3})";
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -51,10 +52,11 @@ TEST_CASE("render draws the last frame, one, or a range") {
   CHECK(last.exit_code == 0);
   CHECK(last.output == "out/render.png\n");
   CHECK(run.has("out/render.png"));
-  CHECK(run.render({"--frame", "2", "-o", "two.png"}).exit_code == 0);
-  CHECK(run.has("two.png"));
-  CHECK(read_text(run.place.folder() / "two.png") !=
-        read_text(run.place.folder() / "out/render.png"));
+  CHECK(run.render({"--frame", "0", "-o", "first.png"}).exit_code == 0);
+  CHECK(run.has("first.png"));
+  const bool differs = read_text(run.place.folder() / "first.png") !=
+                       read_text(run.place.folder() / "out/render.png");
+  CHECK(differs);
   const ProgramResult range = run.render({"--frames", "1:5:2", "-o", "many.png"});
   CHECK(range.output == "many_00001.png\nmany_00003.png\nmany_00005.png\n");
   CHECK(run.has("many_00003.png"));
@@ -70,9 +72,12 @@ TEST_CASE("how a picture looks is read from the scene, and changed by --set") {
     return read_text(run.place.folder() / "out/render.png");
   };
   const std::string plain = picture_with("/render/children=5");
-  CHECK(picture_with("/render/children=6") != plain);
-  CHECK(picture_with("/render/camera/direction=[1, 0, 0]") != plain);
-  CHECK(picture_with("/render/children=5") == plain);
+  const bool more = picture_with("/render/children=6") != plain;
+  const bool from_the_side = picture_with("/render/camera/direction=[1, 0, 0]") != plain;
+  const bool same = picture_with("/render/children=5") == plain;
+  CHECK(more);
+  CHECK(from_the_side);
+  CHECK(same);
 }
 
 TEST_CASE("bad input of render is refused, and nothing written") {

@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "core/random.h"
