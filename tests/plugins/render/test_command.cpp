@@ -95,7 +95,9 @@ TEST_CASE("bad input of render is refused, and nothing written") {
   CHECK(contains(refusal_of({"--set", "/strands/count=3"}), "begins with /render/"));
   CHECK(contains(refusal_of({"-o", "none/x.png"}), "cannot write 'none/x.png'"));
   CHECK_FALSE(run.has("out/render.png"));
-  CHECK(contains(run.place.run({"render", "none"}).errors, "'none' has no frame"));
+  CHECK(contains(run.place.run({"render", "none"}).errors, "'none'"));
+  fs::create_directory(run.place.folder() / "empty");
+  CHECK(contains(run.place.run({"render", "empty"}).errors, "'empty' has no frame"));
 }
 
 TEST_CASE("a video is made of the frames, as long as they last") {
