@@ -25,10 +25,10 @@ const Option plugin_option{.name = "--plugin",
                            .repeatable = true};
 
 int dispatch(Registry& registry, const std::vector<std::string>& words) {
-  std::vector<Command> commands{run_command(),    study_command(),    report_command(),
-                                render_command(), convert_command(),  check_command(),
-                                list_command(),   describe_command(), new_command(),
-                                verify_command(), eval_command(),     bench_command()};
+  std::vector<Command> commands{
+      run_command(),      study_command(), report_command(),   render_command(), convert_command(),
+      check_command(),    list_command(),  describe_command(), new_command(),    verify_command(),
+      validate_command(), eval_command(),  bench_command()};
   for (Command& command : commands) command.options.push_back(plugin_option);
   const std::string name = words.empty() ? "help" : words.front();
   const bool wants_help = name == "help" || name == "--help" || name == "-h" ||

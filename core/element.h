@@ -26,6 +26,19 @@ struct ElementRest {
   const Strands& strands;
   std::array<int, K> vertices;  ///< their numbers; of an element of pads all 0
 
+  /// The length of the strand that bends at an inner vertex: half of the edges that meet there, but
+  /// for one that is held. So a clamp lies where its last edge ends, and rods converge with second
+  /// order; with the held half they would be longer by it, and converge with first order.
+  double bending_length(int vertex) const {
+    const bool is_real = vertices[vertex] > 0;
+    double length = 0, with_held = 0;
+    for (const int edge : {vertex - 1, vertex}) {
+      with_held += 0.5 * lengths[edge];
+      if (!is_real || !strands.is_held_edge(vertices[edge])) length += 0.5 * lengths[edge];
+    }
+    return length > 0 ? length : with_held;
+  }
+
   /// A parameter in the middle of the element: at its middle vertex, or between its two middle
   /// ones.
   double middle(const Varying& parameter) const {

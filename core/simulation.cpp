@@ -92,8 +92,9 @@ std::vector<bool> held_strands(const StrandSet& set) {
 
 Simulation::Simulation(const Scene& scene) {
   StrandSet set = generate_all(scene.strands);
-  model_ = std::make_unique<Model>(Strands(set.vertex_counts, set.positions, scene.material),
-                                   held_strands(set));
+  model_ = std::make_unique<Model>(
+      Strands(set.vertex_counts, set.positions, scene.material, set.pinned_counts),
+      held_strands(set));
   Model& model = *model_;
   for (const auto& [name, parts] : scene.motions) {
     std::vector<std::unique_ptr<Motion>> made;

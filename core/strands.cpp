@@ -6,8 +6,10 @@
 namespace ringlet {
 
 Strands::Strands(std::vector<int> vertex_counts, std::vector<Eigen::Vector3d> rest_positions,
-                 const MaterialField& material)
-    : material_(material), rest_positions_(std::move(rest_positions)) {
+                 const MaterialField& material, std::vector<int> pinned_counts)
+    : material_(material),
+      pinned_counts_(std::move(pinned_counts)),
+      rest_positions_(std::move(rest_positions)) {
   first_.assign(1, 0);
   for (int strand = 0; const int vertices : vertex_counts) {
     if (vertices < 2) {
@@ -61,8 +63,9 @@ double Strands::voronoi_length(int vertex) const {
 }
 
 std::size_t Strands::bytes() const {
-  return bytes_of(first_) + bytes_of(strand_of_) + bytes_of(rest_positions_) +
-         bytes_of(rest_lengths_) + bytes_of(root_distances_) + bytes_of(radii_) + bytes_of(masses_);
+  return bytes_of(first_) + bytes_of(strand_of_) + bytes_of(pinned_counts_) +
+         bytes_of(rest_positions_) + bytes_of(rest_lengths_) + bytes_of(root_distances_) +
+         bytes_of(radii_) + bytes_of(masses_);
 }
 
 }  // namespace ringlet

@@ -20,10 +20,11 @@ struct StrandSet {
 /// strand after strand from root to tip; edge v joins the vertices v and v + 1 of one strand.
 class Strands {
  public:
+  /// pinned_counts: of each strand, how many vertices from the root are pinned; empty: none is.
   /// Throws Error if a strand has fewer than two vertices, a position is not finite, or the
   /// material has not one number for each strand or vertex where it should.
   Strands(std::vector<int> vertex_counts, std::vector<Eigen::Vector3d> rest_positions,
-          const MaterialField& material);
+          const MaterialField& material, std::vector<int> pinned_counts = {});
 
   int count() const { return static_cast<int>(first_.size()) - 1; }
   int vertex_count() const { return first_.back(); }
@@ -31,6 +32,12 @@ class Strands {
   /// The first vertex of a strand; first(count()) is vertex_count().
   int first(int strand) const { return first_[strand]; }
   int size(int strand) const { return first_[strand + 1] - first_[strand]; }
+  /// Whether both ends of the edge from this vertex to the next are pinned by its strand: it stays
+  /// as it is, and no part of the strand bends in it.
+  bool is_held_edge(int vertex) const {
+    const int strand = strand_of(vertex);
+    return !pinned_counts_.empty() && vertex - first(strand) + 1 < pinned_counts_[strand];
+  }
   int strand_of(int vertex) const { return strand_of_[vertex]; }
 
   const MaterialField& material() const { return material_; }
@@ -55,6 +62,7 @@ class Strands {
   MaterialField material_;
   std::vector<int> first_;
   std::vector<int> strand_of_;
+  std::vector<int> pinned_counts_;
   std::vector<Eigen::Vector3d> rest_positions_;
   std::vector<double> rest_lengths_;
   std::vector<double> root_distances_;  ///< along the strand

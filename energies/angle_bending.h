@@ -44,7 +44,7 @@ struct AngleBending {
     constexpr double straight = 1e-9;
     if (turning.radians < straight) turning = {0, 0};
     // A hinge that has no angle at rest has no stiffness.
-    const double length = hinge.stiffness > 0 ? 0.5 * (l0 + l1) : 1;
+    const double length = hinge.stiffness > 0 ? element.bending_length(1) : 1;
     const double rigidity =
         element.material.youngs_modulus * circle_second_moment(element.radii[1]);
     return {hinge.stiffness * rigidity / length, Law::rest(turning), shortest_squared};

@@ -29,5 +29,6 @@ Command render_command();
 Command report_command();
 Command study_command();
 Command convert_command();
+Command validate_command();
 
 }  // namespace ringlet

@@ -65,10 +65,30 @@ void check_derivatives(const Json& json) {
 
 TEST_CASE("forces are the derivatives of their incremental potentials") {
   check_derivatives({{"type", "gravity"}, {"acceleration", {1, -2, 3}}});
+  check_derivatives({{"type", "point_force"}, {"force", {1, -2, 3}}});
+  check_derivatives({{"type", "point_force"}, {"force", {1, -2, 3}}, {"vertex", 1}});
   check_derivatives({{"type", "drag"}, {"coefficient", 0.3}, {"wind", {1, 2, -1}}});
   check_derivatives({{"type", "rayleigh"}, {"mass", 2}});
   check_derivatives({{"type", "rayleigh"}, {"stiffness", 0.01}});
   check_derivatives({{"type", "rayleigh"}, {"mass", 2}, {"stiffness", 0.01}});
+}
+
+TEST_CASE("a point force acts at one vertex of each strand that has it") {
+  const auto forces = [](int vertex) {
+    const Step step({{"type", "point_force"}, {"force", {1, -2, 3}}, {"vertex", vertex}});
+    const Probe probe = step.at(step.x);
+    std::vector<int> where;
+    for (int v = 0; v < vertices; ++v) {
+      const Eigen::Vector3d force = -probe.gradient.segment<3>(3 * v);
+      if (force.isZero(0)) continue;
+      CHECK(force == Eigen::Vector3d(1, -2, 3));
+      where.push_back(v);
+    }
+    return where;
+  };
+  CHECK(forces(-1) == std::vector<int>{3, 9, 12});
+  CHECK(forces(0) == std::vector<int>{0, 4, 10});
+  CHECK(forces(4) == std::vector<int>{8});
 }
 
 TEST_CASE("gravity pulls every vertex by its mass") {
