@@ -57,19 +57,52 @@ class EndMoment final : public Force {
       };
       const Eigen::Vector3d edge = at(tip) - at(tip - 1);
       energy -= moment_ * followed(angles_[strand], angle_of(edge));
+      energy += hold_in_plane(strand, lane, x, outputs);
       if (outputs.gradient.empty()) continue;
-      // grad phi = (e_y, -e_x) / |e|^2; the Hessian is left out, since it is not definite.
+      // grad phi = (e_y, -e_x) / |e|^2
       const double squared = edge.x() * edge.x() + edge.y() * edge.y();
       const double gx = -moment_ * edge.y() / squared, gy = moment_ * edge.x() / squared;
       outputs.gradient[tip].x[lane] += gx;
       outputs.gradient[tip].y[lane] += gy;
       outputs.gradient[tip - 1].x[lane] -= gx;
       outputs.gradient[tip - 1].y[lane] -= gy;
+      if (!outputs.hessian.empty()) add_hessian(edge, tip, lane, outputs.hessian);
     }
     return energy;
   }
 
  private:
+  /// M (z / l)^2 / 2 at every vertex.
+  double hold_in_plane(int strand, int lane, std::span<const Vector3<Pack>> x,
+                       GroupOutputs outputs) const {
+    double energy = 0;
+    for (int i = 0; i < strands_->size(strand); ++i) {
+      const double length = strands_->voronoi_length(strands_->first(strand) + i);
+      const double stiffness = moment_ / (length * length), z = x[i].z[lane];
+      energy += 0.5 * stiffness * z * z;
+      if (!outputs.gradient.empty()) outputs.gradient[i].z[lane] += stiffness * z;
+      if (!outputs.hessian.empty()) outputs.hessian.block(i, 0)(2, 2)[lane] += stiffness;
+    }
+    return energy;
+  }
+
+  /// Not definite, but the sum of the whole potential is where it has its minimum.
+  void add_hessian(const Eigen::Vector3d& edge, int tip, int lane, const GroupBands& bands) const {
+    const double squared = edge.x() * edge.x() + edge.y() * edge.y();
+    const double scale = -moment_ / (squared * squared);
+    const double diagonal = scale * 2 * edge.x() * edge.y();
+    const double mixed = scale * (edge.x() * edge.x() - edge.y() * edge.y());
+    const auto add = [&](Matrix3<Pack>& block, double sign) {
+      block(0, 0)[lane] -= sign * diagonal;
+      block(0, 1)[lane] += sign * mixed;
+      block(1, 0)[lane] += sign * mixed;
+      block(1, 1)[lane] += sign * diagonal;
+    };
+    add(bands.block(tip, 0), 1);
+    add(bands.block(tip - 1, 0), 1);
+    add(bands.block(tip, 1), -1);
+  }
+
   /// The angle, less whole turns, that is nearest to the last one.
   static double followed(double last, double angle) {
     return last + std::remainder(angle - last, 2 * std::numbers::pi);

@@ -59,7 +59,7 @@ double measured_over_expected(int segments, int turns, const Registry& registry)
 
 void validate_spring(const Registry& registry, const ValidationOptions& options,
                      const ValidationOutput& output) {
-  const int turns = 20;
+  const int turns = 10;
   for (const int segments : {5, 10, 20, 40, 80}) {
     if (options.quick && segments != 40) continue;
     // What a coarse helix gives is told, not asked.
