@@ -26,8 +26,9 @@ std::string quoted(const std::string& text) {
 std::string list_of(const std::vector<fs::path>& pictures, double seconds_each) {
   std::string list = "ffconcat version 1.0\n";
   for (const fs::path& picture : pictures) {
-    list += fmt::format("file {}\nduration {:.9f}\n", quoted(fs::absolute(picture).string()),
-                        seconds_each);
+    // Without "file:" they would be looked for where the list comes from, in the pipe.
+    list += fmt::format("file {}\nduration {:.9f}\n",
+                        quoted("file:" + fs::absolute(picture).string()), seconds_each);
   }
   return list;
 }

@@ -15,7 +15,8 @@ namespace {
 /// All that a step can depend on, and every writer.
 Json lively_scene(double checkpoint_seconds) {
   Json scene = small_scene();
-  scene["motions"]["shake"] = {{{"type", "sinusoid"}, {"frequency", 2}, {"translation", {0.02, 0, 0}}}};
+  scene["motions"]["shake"] = {
+      {{"type", "sinusoid"}, {"frequency", 2}, {"translation", {0.02, 0, 0}}}};
   scene["strands"]["motion"] = "shake";
   scene["collision"]["friction"] = 0.3;
   scene["integrator"] = {{"type", "bdf2"}, {"sleep_speed", 1e-4}};

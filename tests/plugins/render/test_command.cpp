@@ -110,6 +110,18 @@ TEST_CASE("a video is made of the frames, as long as they last") {
   CHECK_FALSE(run.has("curls.part.mp4"));
 }
 
+TEST_CASE("ffmpeg itself makes the video, where there is one") {
+  if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) {
+    WARN("there is no ffmpeg");
+    return;
+  }
+  const Run run;
+  const ProgramResult result = run.render({"--frames", "0:6", "--video", "curls.mp4"});
+  CAPTURE(result.errors);
+  CHECK(result.exit_code == 0);
+  CHECK(read_text(run.place.folder() / "curls.mp4").substr(4, 4) == "ftyp");
+}
+
 TEST_CASE("without ffmpeg there is no video, and nothing is drawn") {
   const Run run;
   const FakeFfmpeg path(run.place);
