@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "apps/build_info.h"
+#include "apps/commands/chosen.h"
 #include "apps/commands/command.h"
 #include "apps/exit_codes.h"
 #include "apps/machine.h"
@@ -15,19 +16,6 @@
 
 namespace ringlet {
 namespace {
-
-std::vector<Bench> chosen(const std::optional<std::string>& wanted) {
-  std::vector<Bench> benches;
-  std::vector<std::string> names;
-  for (const Bench& bench : all_benches()) {
-    names.push_back(bench.name);
-    if (!wanted || *wanted == bench.name) benches.push_back(bench);
-  }
-  if (benches.empty()) {
-    throw Error("there is no benchmark '" + *wanted + "'; " + did_you_mean(*wanted, names));
-  }
-  return benches;
-}
 
 /// Throws Error for an option that none of the benchmarks heeds.
 BenchOptions read_options(const Arguments& arguments, const std::vector<Bench>& benches) {
@@ -56,7 +44,7 @@ int bench(const Registry& registry, const Arguments& arguments) {
     spdlog::warn("this is a {} build; only the times of a Release build mean something",
                  build_info::build_type);
   }
-  const std::vector<Bench> benches = chosen(arguments.operand(0));
+  const std::vector<Bench> benches = chosen(all_benches(), arguments.operand(0), "benchmark");
   const BenchOptions options = read_options(arguments, benches);
   BenchOutput output([](const std::string& text) {
     fmt::print("{}", text);

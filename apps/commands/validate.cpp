@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "apps/commands/chosen.h"
 #include "apps/commands/command.h"
 #include "apps/exit_codes.h"
 #include "apps/validate/validation.h"
@@ -10,19 +11,6 @@
 
 namespace ringlet {
 namespace {
-
-std::vector<ValidationCase> chosen(const std::optional<std::string>& wanted) {
-  std::vector<ValidationCase> cases;
-  std::vector<std::string> names;
-  for (const ValidationCase& one : all_validation_cases()) {
-    names.push_back(one.name);
-    if (!wanted || *wanted == one.name) cases.push_back(one);
-  }
-  if (cases.empty()) {
-    throw Error("there is no case '" + *wanted + "'; " + did_you_mean(*wanted, names));
-  }
-  return cases;
-}
 
 void print_head() {
   fmt::print(
@@ -51,7 +39,8 @@ Json as_json(const ValidationRow& row) {
 }
 
 int validate(const Registry& registry, const Arguments& arguments) {
-  const std::vector<ValidationCase> cases = chosen(arguments.operand(0));
+  const std::vector<ValidationCase> cases =
+      chosen(all_validation_cases(), arguments.operand(0), "case");
   const ValidationOptions options{arguments.has("--quick")};
   Json rows = Json::array();
   bool all_pass = true;

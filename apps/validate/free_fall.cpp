@@ -40,7 +40,8 @@ Unbalanced unbalanced_forces(const Simulation& simulation) {
   return {force.norm() / forces, torque.norm() / torques};
 }
 
-/// Largest change of the distance between neighbours, m.
+/// How far a vertex is at most from where it is at rest, both seen from the root, as a part of the
+/// length of the strand.
 double largest_change_of_shape(const Simulation& simulation) {
   const Strands& strands = simulation.model().strands;
   double largest = 0;
