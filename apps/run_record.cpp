@@ -57,6 +57,14 @@ Json list_modules(const std::vector<ModuleCost>& modules) {
   return list;
 }
 
+Json describe_rest(const RestReport& rest) {
+  return {{"strands", rest.strands},
+          {"not_held", rest.not_held},
+          {"acceleration", rest.acceleration},
+          {"unstable", rest.unstable},
+          {"elements_without_rest", rest.without_rest}};
+}
+
 }  // namespace
 
 void RunRecord::add(const StepReport& report, double duration) {
@@ -87,6 +95,8 @@ Json summarise(const RunRecord& record, const Simulation& simulation) {
                {"steps_linear_not_converged", record.linear_caps},
                {"steps_local_error_not_met", record.error_caps}};
   summary.update(size_of(simulation.model()));
+  const auto& rest = simulation.model().rest;
+  if (rest) summary["rest"] = describe_rest(*rest);
   const std::string account = simulation.model().solver->account();
   if (!account.empty()) summary["solver"] = account;
   summary["modules"] = list_modules(record.modules);

@@ -27,7 +27,7 @@ struct EnumNames<Evaluation> {
 /// Makes an Energy of a kernel: loops over the elements of a group, fills the lanes, and assembles
 /// gradient and bands. The author of an energy writes the kernel only.
 template <ElementKernel Kernel>
-class BatchEnergy final : public Energy, public ElementFunction {
+class BatchEnergy final : public Energy, public ElementFunction, public HoldingElements {
  public:
   static constexpr int K = Kernel::vertices;
 
@@ -88,17 +88,10 @@ class BatchEnergy final : public Energy, public ElementFunction {
   int vertices() const override { return K; }
   ElementDerivatives evaluate(const Eigen::Matrix3Xd& positions, double stiffness,
                               double rest) const override {
-    ElementDerivatives result{0, Eigen::VectorXd(3 * K), Eigen::MatrixXd(3 * K, 3 * K)};
     if constexpr (MeasureKernel<Kernel>) {
-      Stencil<double, K> x;
-      for (int n = 0; n < K; ++n) x[n] = from_eigen(positions.col(n));
-      Derivatives<double, K> derivatives;
-      result.value = element_.evaluate(x, kernel().rest_of(stiffness, rest), derivatives);
-      const auto differences = edge_differences<K>();
-      result.gradient = differences.transpose() * dense_gradient(derivatives);
-      result.hessian = differences.transpose() * dense_hessian(derivatives) * differences;
+      return dense(element_, positions, kernel().rest_of(stiffness, rest));
     }
-    return result;
+    return {0, Eigen::VectorXd(3 * K), Eigen::MatrixXd(3 * K, 3 * K)};
   }
   ElementCost cost(const Eigen::Matrix3Xd& positions, double stiffness,
                    double rest) const override {
@@ -122,10 +115,40 @@ class BatchEnergy final : public Energy, public ElementFunction {
     return cost;
   }
 
+  HoldingElements* holding_elements() override { return HoldingKernel<Kernel> ? this : nullptr; }
+  Hold hold(int first_vertex, const Eigen::Matrix3Xd& x, double slope) override {
+    if constexpr (HoldingKernel<Kernel>) {
+      const auto [row, lane] = groups_->slot(first_vertex);
+      Rest<double> rest = Lanes::get(rest_[row], lane);
+      const Hold held = kernel().hold(stencil_of(x), slope, rest);
+      Lanes::set(rest_[row], lane, rest);
+      return held;
+    }
+    return Hold::impossible;
+  }
+  ElementDerivatives derivatives(int first_vertex, const Eigen::Matrix3Xd& x) const override {
+    const auto [row, lane] = groups_->slot(first_vertex);
+    return dense({kernel(), Filter::exact}, x, Lanes::get(rest_[row], lane));
+  }
+
  private:
   template <class S>
   using Rest = typename Kernel::template Rest<S>;
   using Lanes = RestLanes<Kernel>;
+
+  static Stencil<double, K> stencil_of(const Eigen::Matrix3Xd& positions) {
+    Stencil<double, K> x;
+    for (int n = 0; n < K; ++n) x[n] = from_eigen(positions.col(n));
+    return x;
+  }
+  static ElementDerivatives dense(const KernelDerivatives<Kernel>& element,
+                                  const Eigen::Matrix3Xd& positions, const Rest<double>& rest) {
+    Derivatives<double, K> derivatives;
+    const double value = element.evaluate(stencil_of(positions), rest, derivatives);
+    const auto differences = edge_differences<K>();
+    return {value, differences.transpose() * dense_gradient(derivatives),
+            differences.transpose() * dense_hessian(derivatives) * differences};
+  }
 
   const Kernel& kernel() const { return element_.kernel(); }
 

@@ -189,6 +189,23 @@ concept ClosedFormKernel = ValueKernel<Kernel> &&
   { kernel.evaluate(x, rest, filter, outputs) } -> std::same_as<double>;
 };
 
+/// Whether an element can be given a rest state with which it pulls as wanted where it is.
+enum class Hold {
+  impossible,    ///< its pull has no direction there
+  without_rest,  ///< yes, but no shape has this rest state: the element would be at rest nowhere
+  exact,
+};
+
+/// A kernel that can choose the rest state of an element at x: `hold` changes rest so that there
+/// the energy, k psi of some measure, has the slope psi' = slope, or leaves it as it is where that
+/// is impossible. So the gradient at x is proportional to slope.
+template <class Kernel>
+concept HoldingKernel = ElementKernel<Kernel> &&
+    requires(const Kernel& kernel, const Stencil<double, Kernel::vertices>& x, double slope,
+             typename Kernel::template Rest<double>& rest) {
+  { kernel.hold(x, slope, rest) } -> std::same_as<Hold>;
+};
+
 /// A kernel whose rest state follows from a stiffness and one number, its measure at rest.
 template <class Kernel>
 concept MeasureKernel = ElementKernel<Kernel> && requires(const Kernel& kernel, double number) {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/edge_derivatives.h"
+#include "core/element.h"
 #include "core/named.h"
 #include "core/step_start.h"
 #include "core/strands.h"
@@ -39,6 +40,17 @@ class ElementFunction {
                            double rest) const = 0;
 };
 
+/// The elements of an energy that can choose their rest state, each named by its first vertex.
+class HoldingElements {
+ public:
+  virtual ~HoldingElements() = default;
+  virtual int vertices() const = 0;
+  /// As HoldingKernel's hold, at positions (3 x vertices, m).
+  virtual Hold hold(int first_vertex, const Eigen::Matrix3Xd& x, double slope) = 0;
+  /// With the exact Hessian.
+  virtual ElementDerivatives derivatives(int first_vertex, const Eigen::Matrix3Xd& x) const = 0;
+};
+
 /// One term of the elastic potential of the strands: a function of their edges alone. (What depends
 /// on where a strand is in space is a Force.)
 class Energy : public Named {
@@ -66,6 +78,8 @@ class Energy : public Named {
 
   /// Its elements one by one; null where they do not follow from a stiffness and one rest value.
   virtual const ElementFunction* element_function() const { return nullptr; }
+  /// Its elements where they can choose their rest state, else null.
+  virtual HoldingElements* holding_elements() { return nullptr; }
 };
 
 /// The same with derivatives with respect to the vertices, for where time does not matter.

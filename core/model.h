@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,15 @@ struct LeftOut {
   std::string kind, name;
 };
 
+/// What the rest state of a scene holds of the loads on the strands' shape, and what it does not.
+struct RestReport {
+  int strands = 0;          ///< that are free to move
+  int not_held = 0;         ///< of them: that start to move
+  double acceleration = 0;  ///< of the vertex that starts to move most, m/s^2
+  int unstable = 0;         ///< strands that are held in an equilibrium that is not stable
+  int without_rest = 0;     ///< elements that hold more than their shape can: at rest nowhere
+};
+
 /// What is simulated: strands, the terms of their potential, and the stages that a step runs
 /// through. Not movable, since its parts refer to each other.
 struct Model {
@@ -37,7 +47,8 @@ struct Model {
   std::vector<std::unique_ptr<Force>> forces;
   std::unique_ptr<CollisionStage> collision;  ///< null: the scene has no collision
   std::unique_ptr<LinearSolver> solver;
-  std::vector<LeftOut> left_out;  ///< terms that vanish
+  std::vector<LeftOut> left_out;   ///< terms that vanish
+  std::optional<RestReport> rest;  ///< of a scene that chooses a rest state
   std::vector<Pin> pins;
   VertexField pinned_from;  ///< positions of the pins at time 0
   VertexScalars free;       ///< 1: free; 0: pinned, or a pad

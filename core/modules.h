@@ -5,7 +5,7 @@ namespace ringlet {
 class Registry;
 
 /// Registers the plugins that core itself brings: strand sources and readers, roots, poses,
-/// motions.
+/// rest states, motions.
 void register_core(Registry&);
 
 }  // namespace ringlet

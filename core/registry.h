@@ -16,6 +16,7 @@ class StrandSource;
 class StrandReader;
 class RootSource;
 class Pose;
+class RestState;
 class Motion;
 class Energy;
 class CouplingEnergy;
@@ -44,6 +45,10 @@ struct Kind<RootSource> {
 template <>
 struct Kind<Pose> {
   static constexpr const char* name = "start pose";
+};
+template <>
+struct Kind<RestState> {
+  static constexpr const char* name = "rest state";
 };
 template <>
 struct Kind<Motion> {
@@ -217,10 +222,10 @@ class Registry {
   }
 
   std::tuple<Catalogue<StrandSource>, Catalogue<StrandReader>, Catalogue<RootSource>,
-             Catalogue<Pose>, Catalogue<Motion>, Catalogue<Energy>, Catalogue<CouplingEnergy>,
-             Catalogue<Force>, Catalogue<LinearSolver>, Catalogue<Integrator>,
-             Catalogue<CollisionStage>, Catalogue<ContactDetector>, Catalogue<ContactEnergy>,
-             Catalogue<Collider>, Catalogue<Observer>>
+             Catalogue<Pose>, Catalogue<RestState>, Catalogue<Motion>, Catalogue<Energy>,
+             Catalogue<CouplingEnergy>, Catalogue<Force>, Catalogue<LinearSolver>,
+             Catalogue<Integrator>, Catalogue<CollisionStage>, Catalogue<ContactDetector>,
+             Catalogue<ContactEnergy>, Catalogue<Collider>, Catalogue<Observer>>
       catalogues_;
   std::vector<std::string> libraries_;
 };

@@ -111,6 +111,9 @@ Schema<Scene> Scene::schema() {
            "named rigid motions, which colliders and pinned strands may follow")
       .required("strands", &Scene::strands, "", any_number(), "the strands in their rest shape")
       .key("material", &Scene::material, "", any_number(), "what the strands are made of")
+      .key("rest", &Scene::rest, "", any_number(),
+           "chooses another rest state than that of the strands' shape, as one with which they do "
+           "not sag")
       .key("start", &Scene::start, "", any_number(),
            "deformations, applied in order, that lead from the rest shape to the starting shape")
       .key("energies", &Scene::energies, "", any_number(), "the terms of the elastic potential")

@@ -44,6 +44,7 @@ struct Scene {
   NamedMotions motions;
   std::vector<Choice<StrandSource>> strands;
   MaterialField material;
+  std::optional<Choice<RestState>> rest;
   std::vector<Choice<Pose>> start;
   std::vector<Choice<Energy>> energies{"stretch", "bending", "twist"};
   std::vector<Choice<CouplingEnergy>> couplings;

@@ -5,6 +5,7 @@
 #include "core/checkpoint.h"
 #include "core/error.h"
 #include "core/pose.h"
+#include "core/rest_state.h"
 #include "core/strand_source.h"
 
 namespace ringlet {
@@ -121,6 +122,10 @@ Simulation::Simulation(const Scene& scene) {
   model.energies = make_terms(scene.energies, model);
   model.couplings = make_terms(scene.couplings, model);
   model.forces = make_terms(scene.forces, model);
+  if (scene.rest) {
+    const auto rest = scene.rest->make();
+    model.rest = naming(*rest, [&] { return rest->choose(model); });
+  }
   model.solver = scene.solver.make();
   naming(*model.solver, [&] { model.solver->bind(model.groups); });
 

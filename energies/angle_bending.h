@@ -12,7 +12,8 @@
 namespace ringlet {
 
 /// A law Psi of the turning angle phi = pi - theta: `value`, and its first and second derivative
-/// with respect to phi. `rest` is what a law keeps of the angle at rest.
+/// with respect to phi. `rest` is what a law keeps of the angle at rest, linear in its
+/// first derivative, as m0 is in 1/2 (m(phi) - m0)^2.
 template <class Law>
 concept AngleLaw = requires(const TurningAngle<double>& turning, double rest) {
   { Law::rest(turning) } -> std::same_as<double>;
@@ -54,6 +55,18 @@ struct AngleBending {
     return {stiffness, Law::rest(turning_angle(theta)), collapsed_squared_length(0)};
   }
 
+  Hold hold(const Stencil<double, 3>& x, double slope, Rest<double>& rest) const {
+    const Hinge<double> hinge(x, rest.stiffness, rest.shortest_squared);
+    const TurningAngle<double> turning = hinge.turning();
+    if (hinge.stiffness == 0 || turning.radians < least_turning) return Hold::impossible;
+    const double here = Law::rest(turning), first_a_unit = Law::first(turning, here + 1);
+    if (first_a_unit == 0) return Hold::impossible;
+    rest.rest = here + slope / first_a_unit;
+    const bool has_angle = rest.rest >= Law::rest(turning_angle(std::numbers::pi)) &&
+                           rest.rest <= Law::rest(turning_angle(0));
+    return has_angle ? Hold::exact : Hold::without_rest;
+  }
+
   template <class S>
   S value(const Stencil<S, 3>& x, const Rest<S>& rest) const {
     const Hinge<S> hinge(x, rest.stiffness, rest.shortest_squared);
@@ -75,6 +88,9 @@ struct AngleBending {
   }
 
  private:
+  /// A hinge that is straighter has no plane to speak of, in which it could hold a load.
+  static constexpr double least_turning = 1e-4;
+
   template <Filter filter, class S>
   static S evaluate(const Hinge<S>& hinge, const S& rest, ElementOutputs<S, 3> outputs) {
     const TurningAngle<S> turning = hinge.turning();

@@ -34,6 +34,15 @@ struct Stretch {
 
   Rest<double> rest_of(double stiffness, double length) const { return {stiffness, 1 / length}; }
 
+  /// The tension is EA times the slope, with the rest length |e| / (1 + slope).
+  Hold hold(const Stencil<double, 2>& x, double slope, Rest<double>& rest) const {
+    const double length = norm(x[1] - x[0]);
+    if (!(rest.stiffness > 0) || length < shortest || slope <= -1) return Hold::impossible;
+    const double rest_length = length / (1 + slope);
+    rest = {rest.stiffness * rest.inverse_length * rest_length, 1 / rest_length};
+    return Hold::exact;
+  }
+
   template <class S>
   S value(const Stencil<S, 2>& x, const Rest<S>& rest) const {
     const S strain = norm(x[1] - x[0]) * rest.inverse_length - S(1);

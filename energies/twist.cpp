@@ -69,6 +69,15 @@ struct Twist {
     return {stiffness, torsion, collapsed_squared_length(0)};
   }
 
+  /// As far as the torsion can be from that at rest before it wraps.
+  Hold hold(const Stencil<double, 4>& x, double slope, Rest<double>& rest) const {
+    constexpr double most = 3;
+    const Dihedral<double> dihedral(x, rest.stiffness, rest.shortest_squared);
+    if (dihedral.stiffness == 0 || fade(dihedral) < 1) return Hold::impossible;
+    rest.angle = wrap_angle(dihedral.torsion - std::clamp(slope, -most, most));
+    return std::abs(slope) <= most ? Hold::exact : Hold::without_rest;
+  }
+
   template <class S>
   S value(const Stencil<S, 4>& x, const Rest<S>& rest) const {
     const Dihedral<S> dihedral(x, rest.stiffness, rest.shortest_squared);

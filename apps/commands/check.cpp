@@ -25,6 +25,11 @@ int check(Registry& registry, const Arguments& arguments) {
   fmt::print("  strands     {} of {} vertices in all, {} of them pinned ({})\n",
              model.strands.count(), model.strands.vertex_count(), model.pins.size(),
              join_types(scene.strands));
+  if (model.rest) {
+    fmt::print("  rest        {}: {} of {} strands held, acceleration left {:.3g} m/s^2\n",
+               scene.rest->type(), model.rest->strands - model.rest->not_held, model.rest->strands,
+               model.rest->acceleration);
+  }
   fmt::print("  energies    {}\n", join_types(scene.energies));
   fmt::print("  forces      {}\n", join_types(scene.forces));
   fmt::print("  collision   {}\n", scene.collision ? scene.collision->type() : "none");

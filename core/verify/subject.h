@@ -49,6 +49,7 @@ void claim_derivatives(const Subject& subject, std::vector<Claim>& claims);
 void claim_invariance(const Subject& subject, std::vector<Claim>& claims);
 void claim_filters(const Subject& subject, std::vector<Claim>& claims);
 void claim_assembly(const Subject& subject, std::vector<Claim>& claims);
+void claim_holding(const Subject& subject, std::vector<Claim>& claims);
 void claim_degenerate(const Subject& subject, std::vector<Claim>& claims);
 
 }  // namespace ringlet

@@ -24,6 +24,7 @@ std::vector<Claim> verify_energy(const EnergyMaker& make, const VerifyOptions& o
   claim_invariance(subject, claims);
   claim_filters(subject, claims);
   claim_assembly(subject, claims);
+  claim_holding(subject, claims);
   claim_degenerate(subject, claims);
   return claims;
 }

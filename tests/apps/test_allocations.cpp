@@ -5,7 +5,7 @@
 
 #include "tests/apps/counted_allocations.h"
 #include "tests/catch.h"
-#include "tests/collision/physics/simulate.h"
+#include "tests/simulate.h"
 
 using namespace ringlet;
 

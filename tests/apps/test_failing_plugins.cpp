@@ -14,6 +14,7 @@
 #include "core/motion.h"
 #include "core/observer.h"
 #include "core/pose.h"
+#include "core/rest_state.h"
 #include "core/simulation.h"
 #include "core/strand_source.h"
 #include "energies/modules.h"
@@ -38,6 +39,9 @@ struct FailingPose final : Pose {
              std::vector<Eigen::Vector3d>&) const override {
     fail();
   }
+};
+struct FailingRestState final : RestState {
+  RestReport choose(Model&) const override { fail(); }
 };
 struct FailingMotion final : Motion {
   Eigen::Isometry3d at(double time) const override {
@@ -111,6 +115,7 @@ std::string failure(const std::string& pointer, const Json& value) {
   add<StrandSource, FailingSource>(registry);
   add<RootSource, FailingRoots>(registry);
   add<Pose, FailingPose>(registry);
+  add<RestState, FailingRestState>(registry);
   add<Motion, FailingMotion>(registry);
   add<Energy, FailingEnergy>(registry);
   add<CouplingEnergy, FailingCoupling>(registry);
@@ -143,6 +148,7 @@ TEST_CASE("what a plugin throws in a run is told with its kind and name") {
       {"/strands", "failing", "strand source"},
       {"/strands/roots", "failing", "root source"},
       {"/start", {"failing"}, "start pose"},
+      {"/rest", "failing", "rest state"},
       {"/motions/head/0", "failing", "motion"},
       {"/energies/0", "failing", "energy"},
       {"/couplings", {"failing"}, "coupling"},

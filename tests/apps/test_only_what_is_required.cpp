@@ -10,7 +10,7 @@
 #include "solvers/modules.h"
 #include "tests/apps/program.h"
 #include "tests/catch.h"
-#include "tests/collision/physics/simulate.h"
+#include "tests/simulate.h"
 
 using namespace ringlet;
 

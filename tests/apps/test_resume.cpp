@@ -18,6 +18,7 @@ Json lively_scene(double checkpoint_seconds) {
   scene["motions"]["shake"] = {
       {{"type", "sinusoid"}, {"frequency", 2}, {"translation", {0.02, 0, 0}}}};
   scene["strands"]["motion"] = "shake";
+  scene["rest"] = "sag_free";
   scene["collision"]["friction"] = 0.3;
   scene["integrator"] = {{"type", "bdf2"}, {"sleep_speed", 1e-4}};
   scene["expect"] = {{{"step", 2}, {"quantity", "max_rest_distance"}, {"min", 0}}};

@@ -74,3 +74,26 @@ TEST_CASE("metrics and summary tell what happened") {
   const Json chosen = Json::parse(read_text(place.folder() / "auto/summary.json"));
   CHECK(chosen["solver"].get<std::string>().find("no contact coupled any") != std::string::npos);
 }
+
+TEST_CASE("log, summary and check tell what a rest state holds") {
+  const Workplace place;
+  Json scene = small_scene();
+  scene["rest"] = "sag_free";
+  const std::string held = place.write("held.json", scene.dump());
+  const ProgramResult result = place.run({"run", held, "-o", "held"});
+  CHECK(result.exit_code == 0);
+  CHECK(result.errors.find("sag_free") == std::string::npos);
+  const Json rest = Json::parse(read_text(place.folder() / "held/summary.json"))["rest"];
+  CHECK(rest["strands"] == 20);
+  CHECK(rest["not_held"] == 0);
+  CHECK(rest["unstable"] == 0);
+  CHECK(rest["elements_without_rest"] == 0);
+  CHECK(rest["acceleration"] < 1e-5);
+  CHECK_THAT(place.run({"check", held}).output, Catch::Contains("sag_free: 20 of 20 strands held"));
+
+  scene["strands"]["pinned"] = 1;
+  const std::string loose = place.write("loose.json", scene.dump());
+  const ProgramResult check = place.run({"check", loose});
+  CHECK_THAT(check.output, Catch::Contains("sag_free: 0 of 20 strands held"));
+  CHECK_THAT(check.errors, Catch::Contains("20 of 20 strands are not held"));
+}

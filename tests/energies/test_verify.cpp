@@ -55,6 +55,10 @@ TEST_CASE("an energy that depends on where the strand is is found") {
   CHECK(contains(claims, "rotations turn gradient and Hessian"));
 }
 
+TEST_CASE("an energy that holds another load than it was asked to is found") {
+  CHECK(contains(broken("hold"), "elements that hold a load pull in proportion to it"));
+}
+
 TEST_CASE("an energy that is not a number where the strand is straight is found") {
   CHECK(contains(broken("nan_when_straight"), "finite in degenerate states"));
 }

@@ -12,6 +12,7 @@ enum class Mistake {
   not_invariant,      ///< the energy depends on where the strand is
   nan_when_straight,  ///< 0/0
   rest,               ///< it is not at rest in the rest shape
+  hold,               ///< it holds twice what it should of a negative load
   lanes,              ///< they compute another Hessian than plain doubles
   indefinite,         ///< no filter does anything
   zero                ///< it has no stiffness
@@ -26,6 +27,7 @@ struct EnumNames<Mistake> {
       {Mistake::not_invariant, "not_invariant"},
       {Mistake::nan_when_straight, "nan_when_straight"},
       {Mistake::rest, "rest"},
+      {Mistake::hold, "hold"},
       {Mistake::lanes, "lanes"},
       {Mistake::indefinite, "indefinite"},
       {Mistake::zero, "zero"}};
@@ -60,6 +62,11 @@ struct WrongBending {
   Rest<double> rest(const ElementRest<3>& element) const {
     const double at_rest = angle<double>(element.positions);
     return {has(Mistake::zero) ? 0.0 : 1.0, has(Mistake::rest) ? at_rest + 0.1 : at_rest};
+  }
+  Hold hold(const Stencil<double, 3>& x, double slope, Rest<double>& rest) const {
+    const bool is_wrong = has(Mistake::hold) && slope < 0;
+    rest.angle = angle(x) - (is_wrong ? 2 * slope : slope);
+    return Hold::exact;
   }
   template <class S>
   S value(const Stencil<S, 3>& x, const Rest<S>& rest) const {

@@ -1,7 +1,7 @@
 // The audit of a step sees what passes through each other, and what lies inside of a collider.
 
 #include "tests/catch.h"
-#include "tests/collision/physics/simulate.h"
+#include "tests/simulate.h"
 
 using namespace ringlet;
 

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "core/model.h"
+
+namespace ringlet {
+
+/// A strand in the shape that it is to keep, and the elements that may hold it there.
+class StrandFit {
+ public:
+  /// x: the shape of all strands, m. The model must outlive it.
+  StrandFit(Model& model, int strand, const VertexField& x);
+
+  bool is_free() const { return free_count_ > 0; }
+  /// Chooses the rest states of its elements so that what is left of the loads' gradient, N, sets
+  /// it in motion least: the accelerations a_i have the least sum m_i |a_i|^2, as those of a chain
+  /// of rods that ideal joints would let move (Gauss's principle of least constraint). Returns the
+  /// number of elements whose rest state no shape has.
+  int hold(const VertexField& loads);
+  /// Whether no small motion grows by itself, by a factor of e in a second or faster.
+  bool is_stable() const;
+
+ private:
+  struct Element {
+    HoldingElements* energy;
+    int first;           ///< its first vertex, counted from the root
+    Eigen::Matrix3Xd x;  ///< of its vertices
+  };
+
+  /// Calls see(row, i) for all coordinates i of the element that are free, and their rows among
+  /// those of the strand.
+  template <class See>
+  void for_free_rows(const Element& element, const See& see) const;
+  /// Of an element, the gradient a unit of slope; empty if it can hold nothing.
+  Eigen::VectorXd pull(const Element& element) const;
+  double mass(int row) const { return masses_[row / 3]; }
+
+  int root_;  ///< its number among all vertices
+  int free_count_ = 0;
+  std::vector<int> free_index_;  ///< of each vertex among the free ones; -1: pinned
+  std::vector<double> masses_;   ///< of the free vertices, kg
+  std::vector<Element> elements_;
+};
+
+}  // namespace ringlet
