@@ -63,6 +63,19 @@ double lean_of(const Json& scene, const Registry& registry) {
   return std::hypot(d.x(), d.z()) / length;
 }
 
+/// How far the middle of a column between two clamps is from the line between them, as a part of
+/// its length, when one of them has come nearer by what the load makes the column shorter.
+double bow_of_clamped(double part_of_euler, const Registry& registry) {
+  Json scene = validation_scene("clamped_column");
+  const double radius = scene["material"]["radius"];
+  // P L / (EA) with P = 4 pi^2 B / L^2, B = E A r^2 / 4
+  const double nearer = part_of_euler * pi * pi * radius * radius / length;
+  scene["motions"]["press"][0]["translations"][1] = {0, -nearer, 0};
+  const auto simulation = run_scene(scene, registry);
+  const int middle = simulation->model().strands.vertex_count() / 2;
+  return simulation->state().positions.get(middle).head<1>().norm() / length;
+}
+
 }  // namespace
 
 void validate_cantilever(const Registry& registry, const ValidationOptions& options,
@@ -153,6 +166,10 @@ void validate_buckling(const Registry& registry, const ValidationOptions&,
   output({"buckling", "lean of the head / L, 0.97 of Euler's load", 0, under_load(0.97), 1e-3});
   output({"buckling", "buckled (1) at 1.03 of Euler's load", 1, under_load(1.03) > 0.1 ? 1.0 : 0.0,
           0});
+  output({"buckling", "bow between two clamps / L, 0.97 of Euler's load", 0,
+          bow_of_clamped(0.97, registry), 1e-3});
+  output({"buckling", "bowed (1) at 1.03 of it", 1,
+          bow_of_clamped(1.03, registry) > 2e-3 ? 1.0 : 0.0, 0});
   output({"buckling", "lean of the head / L, 0.97 of Greenhill's weight", 0, under_weight(0.97),
           1e-3});
   output({"buckling", "buckled (1) at 1.03 of Greenhill's weight", 1,

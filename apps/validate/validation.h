@@ -61,6 +61,14 @@ void validate_chain_modes(const Registry& registry, const ValidationOptions& opt
                           const ValidationOutput& output);
 void validate_free_fall(const Registry& registry, const ValidationOptions& options,
                         const ValidationOutput& output);
+void validate_rigid_motion(const Registry& registry, const ValidationOptions& options,
+                           const ValidationOutput& output);
+void validate_incline(const Registry& registry, const ValidationOptions& options,
+                      const ValidationOutput& output);
+void validate_capstan(const Registry& registry, const ValidationOptions& options,
+                      const ValidationOutput& output);
+void validate_sag_free(const Registry& registry, const ValidationOptions& options,
+                       const ValidationOutput& output);
 
 /// A scene of apps/scenes/validation, which the program carries along.
 Json validation_scene(const std::string& name);
