@@ -10,7 +10,8 @@ namespace ringlet {
 class RestState : public Named {
  public:
   virtual ~RestState() = default;
-  /// Throws Error with the reason if it cannot.
+  /// Returns an empty report where there is nothing to hold. Throws Error with the reason if it
+  /// cannot.
   virtual RestReport choose(Model& model) const = 0;
 };
 

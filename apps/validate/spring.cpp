@@ -55,6 +55,20 @@ double measured_over_expected(int segments, int turns, const Registry& registry)
   return sag / (0.5 * spring.weight * wire * wire * spring.compliance());
 }
 
+/// The pitch of the uppermost coil of so many under their own weight, as a multiple of that at
+/// rest.
+double pitch_of_root_coil(int coils, const Registry& registry) {
+  constexpr int segments = 40;
+  Json scene = validation_scene("spring");
+  scene["strands"]["vertices"] = segments * coils + 1;
+  scene["forces"][0]["acceleration"] = {0, -9.81, 0};
+  scene["integrator"]["newton_iterations"] = 2000;
+  const auto simulation = run_scene(scene, registry);
+  const int clamp = scene["strands"]["pinned"].get<int>() - 1;
+  const VertexField& x = simulation->state().positions;
+  return (x.get(clamp).y() - x.get(clamp + segments).y()) / scene["strands"]["pitch"].get<double>();
+}
+
 }  // namespace
 
 void validate_spring(const Registry& registry, const ValidationOptions& options,
@@ -72,6 +86,9 @@ void validate_spring(const Registry& registry, const ValidationOptions& options,
   const double exact = 1 / (fibre.wire_of(1) * fibre.compliance());
   output({"spring", "stiffness of one coil of type 4C, N/m", 3.84e-3,
           exact / measured_over_expected(40, turns, registry), 0.05});
+  // 12 are about as many as double it.
+  output({"spring", "pitch of the root coil of type 4C under 12 coils / at rest", 2,
+          pitch_of_root_coil(12, registry), 0.1});
 }
 
 }  // namespace ringlet

@@ -68,13 +68,15 @@ class SagFree final : public RestState {
     const VertexField x = rest_positions(model);
     VertexField gradient = gradient_of_loads(model, x, parameters_.forces);
     const std::vector<double> loads = largest_accelerations(model, gradient);
+    const double largest_load = *std::max_element(loads.begin(), loads.end());
+    if (largest_load == 0) return {};
     const std::vector<Outcome> outcomes = hold_all(model, x, gradient);
     add_gradient_of_holding_energies(model, x, gradient);
     const std::vector<double> left = largest_accelerations(model, gradient);
 
     // Not to be held shows at once; what is below is the rounding of the rest angles of stiff
     // strands.
-    const double held = 1e-3 * *std::max_element(loads.begin(), loads.end());
+    const double held = 1e-3 * largest_load;
     RestReport report;
     for (int strand = 0; strand < model.strands.count(); ++strand) {
       const Outcome& outcome = outcomes[strand];

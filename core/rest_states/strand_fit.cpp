@@ -4,8 +4,6 @@
 #include <Eigen/SparseQR>
 #include <cmath>
 
-#include "core/error.h"
-
 namespace ringlet {
 
 StrandFit::StrandFit(Model& model, int strand, const VertexField& x)
@@ -37,54 +35,57 @@ void StrandFit::for_free_rows(const Element& element, const See& see) const {
   }
 }
 
-Eigen::VectorXd StrandFit::pull(const Element& element) const {
+Eigen::VectorXd StrandFit::weighted_pull(const Element& element) const {
   constexpr double trial = 0.1;  // far from rounding, and from where a rest state would wrap
   const int vertex = root_ + element.first;
   if (element.energy->hold(vertex, element.x, trial) == Hold::impossible) return {};
-  const Eigen::VectorXd gradient = element.energy->derivatives(vertex, element.x).gradient / trial;
+  Eigen::VectorXd pull = element.energy->derivatives(vertex, element.x).gradient / trial;
   element.energy->hold(vertex, element.x, 0);
-  return gradient;
+  Eigen::VectorXd weighted = Eigen::VectorXd::Zero(pull.size());
+  for_free_rows(element, [&](int row, int i) { weighted[i] = pull[i] / std::sqrt(mass(row)); });
+  return weighted;
+}
+
+std::vector<StrandFit::Pull> StrandFit::pulls() const {
+  std::vector<Pull> pulls;
+  for (const Element& element : elements_) {
+    const Eigen::VectorXd pull = weighted_pull(element);
+    const double length = pull.norm();
+    if (length > 0) pulls.push_back({&element, pull / length, length});
+  }
+  return pulls;
+}
+
+Eigen::VectorXd StrandFit::weighted_load(const VertexField& loads) const {
+  Eigen::VectorXd load(3 * free_count_);
+  for (std::size_t i = 0; i < free_index_.size(); ++i) {
+    const int index = free_index_[i];
+    if (index < 0) continue;
+    const int vertex = root_ + static_cast<int>(i);
+    load.segment<3>(3 * index) = loads.get(vertex) / std::sqrt(masses_[index]);
+  }
+  return load;
 }
 
 int StrandFit::hold(const VertexField& loads) {
-  // A column an element, scaled to length 1, and a row a free coordinate: what minimises the sum
-  // over m |a|^2 is the least-squares solution in the scaled forces m^(-1/2) f.
-  std::vector<const Element*> holding;
-  std::vector<double> lengths;
+  const std::vector<Pull> columns = pulls();
+  if (columns.empty()) return 0;
   std::vector<Eigen::Triplet<double>> entries;
-  for (const Element& element : elements_) {
-    Eigen::VectorXd column = pull(element);
-    if (column.size() == 0) continue;
-    double squared = 0;
-    for_free_rows(element, [&](int row, int i) {
-      column[i] /= std::sqrt(mass(row));
-      squared += column[i] * column[i];
-    });
-    if (squared == 0) continue;
-    const auto number = static_cast<int>(holding.size());
-    lengths.push_back(std::sqrt(squared));
-    for_free_rows(element, [&](int row, int i) {
-      entries.emplace_back(row, number, column[i] / lengths.back());
-    });
-    holding.push_back(&element);
+  for (int n = 0; const Pull& pull : columns) {
+    for_free_rows(*pull.element,
+                  [&](int row, int i) { entries.emplace_back(row, n, pull.direction[i]); });
+    ++n;
   }
-  if (holding.empty()) return 0;
-
-  Eigen::SparseMatrix<double> pulls(3 * free_count_, static_cast<int>(holding.size()));
-  pulls.setFromTriplets(entries.begin(), entries.end());
-  Eigen::VectorXd load(3 * free_count_);
-  for (int i = 0; const int index : free_index_) {
-    const int vertex = root_ + i++;
-    if (index >= 0) load.segment<3>(3 * index) = loads.get(vertex) / std::sqrt(masses_[index]);
-  }
-  const Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> factors(pulls);
-  const Eigen::VectorXd solution = factors.solve(-load);
+  Eigen::SparseMatrix<double> matrix(3 * free_count_, static_cast<int>(columns.size()));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> factors(matrix);
+  const Eigen::VectorXd solution = factors.solve(-weighted_load(loads));
 
   int without_rest = 0;
-  for (std::size_t n = 0; n < holding.size(); ++n) {
-    const Element& element = *holding[n];
-    const Hold held =
-        element.energy->hold(root_ + element.first, element.x, solution[n] / lengths[n]);
+  for (int n = 0; const Pull& pull : columns) {
+    const Element& element = *pull.element;
+    const double slope = solution[n++] / pull.length;
+    const Hold held = element.energy->hold(root_ + element.first, element.x, slope);
     without_rest += held == Hold::without_rest ? 1 : 0;
   }
   return without_rest;

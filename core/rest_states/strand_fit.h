@@ -28,12 +28,24 @@ class StrandFit {
     Eigen::Matrix3Xd x;  ///< of its vertices
   };
 
+  /// m^(-1/2) times the gradient of an element a unit of slope, scaled to length 1: what minimises
+  /// the sum over m |a|^2 is the least-squares solution in the weighted forces m^(-1/2) f.
+  struct Pull {
+    const Element* element;
+    Eigen::VectorXd direction;
+    double length;
+  };
+
   /// Calls see(row, i) for all coordinates i of the element that are free, and their rows among
   /// those of the strand.
   template <class See>
   void for_free_rows(const Element& element, const See& see) const;
-  /// Of an element, the gradient a unit of slope; empty if it can hold nothing.
-  Eigen::VectorXd pull(const Element& element) const;
+  /// Empty if the element can hold nothing.
+  Eigen::VectorXd weighted_pull(const Element& element) const;
+  /// Of all elements that can hold anything.
+  std::vector<Pull> pulls() const;
+  /// m^(-1/2) times the loads' gradient, a row a free coordinate.
+  Eigen::VectorXd weighted_load(const VertexField& loads) const;
   double mass(int row) const { return masses_[row / 3]; }
 
   int root_;  ///< its number among all vertices

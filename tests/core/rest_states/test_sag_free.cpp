@@ -205,6 +205,16 @@ TEST_CASE("forces are held that are named, and no others") {
                         Catch::Contains("no force 'gravty'; did you mean 'gravity'"));
 }
 
+TEST_CASE("without a load there is nothing to hold") {
+  Json scene = curl_scene(2);
+  scene["forces"] = {{{"type", "gravity"}, {"acceleration", {0, 0, 0}}}};
+  Simulation simulation = simulate(scene.dump());
+  CHECK(simulation.model().rest->strands == 0);
+  CHECK(simulation.model().rest->acceleration == 0);
+  run(simulation, 5);
+  CHECK(largest_way(simulation) < 1e-12);
+}
+
 TEST_CASE("strands of different lengths side by side are each held") {
   Json scene = curl_scene(3);
   scene["strands"] = Json::array();
