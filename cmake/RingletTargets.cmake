@@ -39,8 +39,14 @@ void register_@name@(Registry& registry) {
   if(target STREQUAL "ringlet_core")
     target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
   else()
-    target_precompile_headers(${target} REUSE_FROM ringlet_core)
+    ringlet_reuse_headers(${target})
   endif()
+endfunction()
+
+# Takes the headers of core as they were compiled for core, which is position independent.
+function(ringlet_reuse_headers target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_precompile_headers(${target} REUSE_FROM ringlet_core)
 endfunction()
 
 # Settings of every target whose sources are ours.
@@ -56,7 +62,7 @@ function(ringlet_own_code target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # GCC bug 105651: false alarms at "text" + std::string.
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow
-                                             -Wno-array-bounds)
+                                             -Wno-stringop-overread -Wno-array-bounds)
   endif()
   if(RINGLET_WERROR)
     target_compile_options(${target} PRIVATE -Werror)

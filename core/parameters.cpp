@@ -104,6 +104,9 @@ void report_mismatch(const Json& json, const std::string& pointer, const KeyInfo
 
 }  // namespace
 
+std::string Codec<double>::type() { return "number"; }
+Json Codec<double>::schema(const KeyInfo& key) { return number_schema(key); }
+Json Codec<double>::write(double value) { return value; }
 void Codec<double>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
                          ParseContext& context, double& out) {
   if (!json.is_number() || !info.range.contains(json.get<double>())) {
@@ -113,6 +116,9 @@ void Codec<double>::read(const Json& json, const std::string& pointer, const Key
   }
 }
 
+std::string Codec<int>::type() { return "integer"; }
+Json Codec<int>::schema(const KeyInfo& key) { return number_schema(key, "integer"); }
+Json Codec<int>::write(int value) { return value; }
 void Codec<int>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
                       ParseContext& context, int& out) {
   const double value = json.is_number() ? json.get<double>() : 0.0;
@@ -124,6 +130,9 @@ void Codec<int>::read(const Json& json, const std::string& pointer, const KeyInf
   }
 }
 
+std::string Codec<bool>::type() { return "true or false"; }
+Json Codec<bool>::schema(const KeyInfo&) { return {{"type", "boolean"}}; }
+Json Codec<bool>::write(bool value) { return value; }
 void Codec<bool>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
                        ParseContext& context, bool& out) {
   if (!json.is_boolean()) {
@@ -133,6 +142,9 @@ void Codec<bool>::read(const Json& json, const std::string& pointer, const KeyIn
   }
 }
 
+std::string Codec<std::string>::type() { return "text"; }
+Json Codec<std::string>::schema(const KeyInfo&) { return {{"type", "string"}}; }
+Json Codec<std::string>::write(const std::string& value) { return value; }
 void Codec<std::string>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
                               ParseContext& context, std::string& out) {
   if (!json.is_string()) {
@@ -142,6 +154,11 @@ void Codec<std::string>::read(const Json& json, const std::string& pointer, cons
   }
 }
 
+std::string Codec<Eigen::Vector3d>::type() { return "list of 3 numbers"; }
+Json Codec<Eigen::Vector3d>::schema(const KeyInfo& key) { return vector_schema(key); }
+Json Codec<Eigen::Vector3d>::write(const Eigen::Vector3d& value) {
+  return Json::array({value.x(), value.y(), value.z()});
+}
 void Codec<Eigen::Vector3d>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
                                   ParseContext& context, Eigen::Vector3d& out) {
   const bool numbers = json.is_array() && json.size() == 3 &&
@@ -155,6 +172,9 @@ void Codec<Eigen::Vector3d>::read(const Json& json, const std::string& pointer, 
   }
 }
 
+std::string Codec<ScenePath>::type() { return "path of a file"; }
+Json Codec<ScenePath>::schema(const KeyInfo&) { return {{"type", "string"}}; }
+Json Codec<ScenePath>::write(const ScenePath& value) { return value.absolute.string(); }
 void Codec<ScenePath>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
                             ParseContext& context, ScenePath& out) {
   if (!json.is_string()) {
@@ -169,6 +189,9 @@ void Codec<ScenePath>::read(const Json& json, const std::string& pointer, const 
   out.absolute = path.lexically_normal();
 }
 
+std::string Codec<MotionName>::type() { return "name of a motion"; }
+Json Codec<MotionName>::schema(const KeyInfo&) { return {{"type", "string"}}; }
+Json Codec<MotionName>::write(const MotionName& value) { return value.name; }
 void Codec<MotionName>::read(const Json& json, const std::string& pointer, const KeyInfo& info,
                              ParseContext& context, MotionName& out) {
   if (!json.is_string()) {

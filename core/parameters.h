@@ -99,62 +99,65 @@ struct Codec;
 
 template <>
 struct Codec<double> {
-  static std::string type() { return "number"; }
-  static Json schema(const KeyInfo& key) { return number_schema(key); }
-  static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&, double&);
-  static Json write(double value) { return value; }
+  static std::string type();
+  static Json schema(const KeyInfo& key);
+  static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                   ParseContext& context, double& out);
+  static Json write(double value);
 };
 
 template <>
 struct Codec<int> {
-  static std::string type() { return "integer"; }
-  static Json schema(const KeyInfo& key) { return number_schema(key, "integer"); }
-  static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&, int&);
-  static Json write(int value) { return value; }
+  static std::string type();
+  static Json schema(const KeyInfo& key);
+  static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                   ParseContext& context, int& out);
+  static Json write(int value);
 };
 
 template <>
 struct Codec<bool> {
-  static std::string type() { return "true or false"; }
-  static Json schema(const KeyInfo&) { return {{"type", "boolean"}}; }
-  static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&, bool&);
-  static Json write(bool value) { return value; }
+  static std::string type();
+  static Json schema(const KeyInfo& key);
+  static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                   ParseContext& context, bool& out);
+  static Json write(bool value);
 };
 
 template <>
 struct Codec<std::string> {
-  static std::string type() { return "text"; }
-  static Json schema(const KeyInfo&) { return {{"type", "string"}}; }
-  static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&,
-                   std::string&);
-  static Json write(const std::string& value) { return value; }
+  static std::string type();
+  static Json schema(const KeyInfo& key);
+  static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                   ParseContext& context, std::string& out);
+  static Json write(const std::string& value);
 };
 
 template <>
 struct Codec<Eigen::Vector3d> {
-  static std::string type() { return "list of 3 numbers"; }
-  static Json schema(const KeyInfo& key) { return vector_schema(key); }
-  static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&,
-                   Eigen::Vector3d&);
-  static Json write(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+  static std::string type();
+  static Json schema(const KeyInfo& key);
+  static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                   ParseContext& context, Eigen::Vector3d& out);
+  static Json write(const Eigen::Vector3d& value);
 };
 
 template <>
 struct Codec<ScenePath> {
-  static std::string type() { return "path of a file"; }
-  static Json schema(const KeyInfo&) { return {{"type", "string"}}; }
-  static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&,
-                   ScenePath&);
-  static Json write(const ScenePath& value) { return value.absolute.string(); }
+  static std::string type();
+  static Json schema(const KeyInfo& key);
+  static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                   ParseContext& context, ScenePath& out);
+  static Json write(const ScenePath& value);
 };
 
 template <>
 struct Codec<MotionName> {
-  static std::string type() { return "name of a motion"; }
-  static Json schema(const KeyInfo&) { return {{"type", "string"}}; }
-  static void read(const Json&, const std::string& pointer, const KeyInfo&, ParseContext&,
-                   MotionName&);
-  static Json write(const MotionName& value) { return value.name; }
+  static std::string type();
+  static Json schema(const KeyInfo& key);
+  static void read(const Json& json, const std::string& pointer, const KeyInfo& info,
+                   ParseContext& context, MotionName& out);
+  static Json write(const MotionName& value);
 };
 
 template <class M>
