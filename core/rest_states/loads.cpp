@@ -3,20 +3,18 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "core/parallel.h"
 #include "core/registry.h"
 #include "core/suggest.h"
 
 namespace ringlet {
 namespace {
 
-void add_energies(Model& model, bool that_hold, const VertexField& x, VertexField& gradient) {
-  parallel_for_each(model.groups.count(), [&](int g) {
-    for (const auto& energy : model.energies) {
-      if ((energy->holding_elements() != nullptr) != that_hold) continue;
-      add_at_vertices(*energy, g, x.group(g), {gradient.group(g), {}});
-    }
-  });
+void add_energies(Model& model, bool that_hold, int g, const VertexField& x,
+                  VertexField& gradient) {
+  for (const auto& energy : model.energies) {
+    if ((energy->holding_elements() != nullptr) != that_hold) continue;
+    add_at_vertices(*energy, g, x.group(g), {gradient.group(g), {}});
+  }
 }
 
 void check_forces(const Model& model, const std::vector<std::string>& forces) {
@@ -49,12 +47,13 @@ VertexField gradient_of_loads(Model& model, const VertexField& x,
       }
     });
   }
-  add_energies(model, false, x, gradient);
+  for (int g = 0; g < model.groups.count(); ++g) add_energies(model, false, g, x, gradient);
   return gradient;
 }
 
-void add_gradient_of_holding_energies(Model& model, const VertexField& x, VertexField& gradient) {
-  add_energies(model, true, x, gradient);
+void add_gradient_of_holding_energies(Model& model, int group, const VertexField& x,
+                                      VertexField& gradient) {
+  add_energies(model, true, group, x, gradient);
 }
 
 std::vector<double> largest_accelerations(const Model& model, const VertexField& gradient) {

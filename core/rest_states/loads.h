@@ -12,8 +12,9 @@ namespace ringlet {
 VertexField gradient_of_loads(Model& model, const VertexField& x,
                               const std::vector<std::string>& forces);
 
-/// Adds that of the energies that can choose their rest state.
-void add_gradient_of_holding_energies(Model& model, const VertexField& x, VertexField& gradient);
+/// Adds that of the energies that can choose their rest state, of the strands of a group.
+void add_gradient_of_holding_energies(Model& model, int group, const VertexField& x,
+                                      VertexField& gradient);
 
 /// Of each strand, the largest acceleration |gradient| / mass of a free vertex, m/s^2.
 std::vector<double> largest_accelerations(const Model& model, const VertexField& gradient);

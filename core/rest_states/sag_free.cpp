@@ -71,7 +71,9 @@ class SagFree final : public RestState {
     const double largest_load = *std::max_element(loads.begin(), loads.end());
     if (largest_load == 0) return {};
     const std::vector<Outcome> outcomes = hold_all(model, x, gradient);
-    add_gradient_of_holding_energies(model, x, gradient);
+    for (int g = 0; g < model.groups.count(); ++g) {
+      add_gradient_of_holding_energies(model, g, x, gradient);
+    }
     const std::vector<double> left = largest_accelerations(model, gradient);
 
     // Not to be held shows at once; what is below is the rounding of the rest angles of stiff
@@ -95,19 +97,27 @@ class SagFree final : public RestState {
   static std::vector<Outcome> hold_all(Model& model, const VertexField& x,
                                        const VertexField& loads) {
     std::vector<Outcome> outcomes(model.strands.count());
+    VertexField gradient = loads;
     // The strands of a group share the packs in which their rest states lie.
-    parallel_for_each(model.groups.count(), [&](int g) {
-      for (const int strand : model.groups[g].strands) {
-        if (strand < 0) continue;
-        StrandFit fit(model, strand, x);
-        Outcome& outcome = outcomes[strand];
-        outcome.is_free = fit.is_free();
-        if (!outcome.is_free) continue;
-        outcome.without_rest = fit.hold(loads);
-        outcome.is_stable = fit.is_stable();
-      }
-    });
+    parallel_for_each(model.groups.count(),
+                      [&](int g) { hold_group(model, g, x, gradient, outcomes); });
     return outcomes;
+  }
+
+  static void hold_group(Model& model, int g, const VertexField& x, VertexField& gradient,
+                         std::vector<Outcome>& outcomes) {
+    std::vector<StrandFit> fits;
+    for (const int strand : model.groups[g].strands) {
+      if (strand >= 0) fits.emplace_back(model, strand, x);
+    }
+    for (StrandFit& fit : fits) fit.hold(gradient);
+    // In lanes the torsion of what is nearly straight is rounded in another way.
+    add_gradient_of_holding_energies(model, g, x, gradient);
+    for (StrandFit& fit : fits) {
+      Outcome& outcome = outcomes[fit.strand()];
+      outcome = {fit.is_free(), true, fit.hold(gradient)};
+      if (outcome.is_free) outcome.is_stable = fit.is_stable();
+    }
   }
 
   SagFreeParameters parameters_;

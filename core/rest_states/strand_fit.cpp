@@ -1,13 +1,13 @@
 #include "core/rest_states/strand_fit.h"
 
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseQR>
+#include <algorithm>
 #include <cmath>
 
 namespace ringlet {
 
 StrandFit::StrandFit(Model& model, int strand, const VertexField& x)
-    : root_(model.strands.first(strand)) {
+    : strand_(strand), root_(model.strands.first(strand)) {
   const int size = model.strands.size(strand);
   for (int i = 0; i < size; ++i) {
     const auto [row, lane] = model.groups.slot(root_ + i);
@@ -25,6 +25,15 @@ StrandFit::StrandFit(Model& model, int strand, const VertexField& x)
       elements_.push_back(std::move(element));
     }
   }
+  // By their last vertices, on which the forces of an edge, a hinge and a dihedral point in three
+  // directions: the columns are then nearly triangular, and far from dependent on those before
+  // them. In another order nearly straight strands look as if some were.
+  std::stable_sort(elements_.begin(), elements_.end(), [](const Element& a, const Element& b) {
+    return a.first + a.x.cols() < b.first + b.x.cols();
+  });
+  pulls_ = pulls();
+  slopes_.assign(pulls_.size(), 0);
+  if (!pulls_.empty()) factorise();
 }
 
 template <class See>
@@ -48,44 +57,45 @@ Eigen::VectorXd StrandFit::weighted_pull(const Element& element) const {
 
 std::vector<StrandFit::Pull> StrandFit::pulls() const {
   std::vector<Pull> pulls;
-  for (const Element& element : elements_) {
-    const Eigen::VectorXd pull = weighted_pull(element);
+  for (std::size_t i = 0; i < elements_.size(); ++i) {
+    const Eigen::VectorXd pull = weighted_pull(elements_[i]);
     const double length = pull.norm();
-    if (length > 0) pulls.push_back({&element, pull / length, length});
+    if (length > 0) pulls.push_back({i, pull / length, length});
   }
   return pulls;
 }
 
-Eigen::VectorXd StrandFit::weighted_load(const VertexField& loads) const {
-  Eigen::VectorXd load(3 * free_count_);
+void StrandFit::factorise() {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int n = 0; const Pull& pull : pulls_) {
+    for_free_rows(elements_[pull.element],
+                  [&](int row, int i) { entries.emplace_back(row, n, pull.direction[i]); });
+    ++n;
+  }
+  Eigen::SparseMatrix<double> matrix(3 * free_count_, static_cast<int>(pulls_.size()));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  factors_ = std::make_unique<decltype(factors_)::element_type>(matrix);
+}
+
+Eigen::VectorXd StrandFit::weighted(const VertexField& gradient) const {
+  Eigen::VectorXd result(3 * free_count_);
   for (std::size_t i = 0; i < free_index_.size(); ++i) {
     const int index = free_index_[i];
     if (index < 0) continue;
     const int vertex = root_ + static_cast<int>(i);
-    load.segment<3>(3 * index) = loads.get(vertex) / std::sqrt(masses_[index]);
+    result.segment<3>(3 * index) = gradient.get(vertex) / std::sqrt(masses_[index]);
   }
-  return load;
+  return result;
 }
 
-int StrandFit::hold(const VertexField& loads) {
-  const std::vector<Pull> columns = pulls();
-  if (columns.empty()) return 0;
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int n = 0; const Pull& pull : columns) {
-    for_free_rows(*pull.element,
-                  [&](int row, int i) { entries.emplace_back(row, n, pull.direction[i]); });
-    ++n;
-  }
-  Eigen::SparseMatrix<double> matrix(3 * free_count_, static_cast<int>(columns.size()));
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> factors(matrix);
-  const Eigen::VectorXd solution = factors.solve(-weighted_load(loads));
-
+int StrandFit::hold(const VertexField& gradient) {
+  if (!factors_) return 0;
+  const Eigen::VectorXd solution = factors_->solve(-weighted(gradient));
   int without_rest = 0;
-  for (int n = 0; const Pull& pull : columns) {
-    const Element& element = *pull.element;
-    const double slope = solution[n++] / pull.length;
-    const Hold held = element.energy->hold(root_ + element.first, element.x, slope);
+  for (std::size_t n = 0; n < pulls_.size(); ++n) {
+    const Element& element = elements_[pulls_[n].element];
+    slopes_[n] += solution[static_cast<Eigen::Index>(n)] / pulls_[n].length;
+    const Hold held = element.energy->hold(root_ + element.first, element.x, slopes_[n]);
     without_rest += held == Hold::without_rest ? 1 : 0;
   }
   return without_rest;

@@ -205,6 +205,30 @@ TEST_CASE("forces are held that are named, and no others") {
                         Catch::Contains("no force 'gravty'; did you mean 'gravity'"));
 }
 
+TEST_CASE("a strand that is straight but for a trifle is held all the same") {
+  // Its hinges turn by so little, each in another plane.
+  const double turning = GENERATE(3e-4, 1e-3, 1e-2);
+  Json points = Json::array();
+  Eigen::Vector3d x(0, 0, 0), tangent(1, 0, 0);
+  for (int i = 0; i < 200; ++i) {
+    points.push_back({x.x(), x.y(), x.z()});
+    x += 1e-3 * tangent;
+    const Eigen::Vector3d axis(0, std::cos(2.4 * i), std::sin(2.4 * i));
+    tangent = Eigen::AngleAxisd(turning, axis) * tangent;
+  }
+  const Simulation simulation = simulate(arc_scene(points, 1e10).dump());
+  CAPTURE(turning, simulation.model().rest->acceleration);
+  CHECK(simulation.model().rest->not_held == 0);
+}
+
+TEST_CASE("energies that resist the same share a load") {
+  Json scene = curl_scene(3);
+  scene["energies"] = {"stretch", "bending", "sin_bending", "twist"};
+  const Simulation simulation = simulate(scene.dump());
+  CHECK(simulation.model().rest->not_held == 0);
+  CHECK(accelerations(simulation).colwise().norm().maxCoeff() < 1e-6 * g);
+}
+
 TEST_CASE("without a load there is nothing to hold") {
   Json scene = curl_scene(2);
   scene["forces"] = {{{"type", "gravity"}, {"acceleration", {0, 0, 0}}}};
