@@ -26,8 +26,7 @@ StrandFit::StrandFit(Model& model, int strand, const VertexField& x)
     }
   }
   // By their last vertices, on which the forces of an edge, a hinge and a dihedral point in three
-  // directions: the columns are then nearly triangular, and far from dependent on those before
-  // them. In another order nearly straight strands look as if some were.
+  // directions: the columns are then nearly triangular, each far from dependent on those before it.
   std::stable_sort(elements_.begin(), elements_.end(), [](const Element& a, const Element& b) {
     return a.first + a.x.cols() < b.first + b.x.cols();
   });
