@@ -24,7 +24,7 @@ struct LeftOut {
 /// What the rest state of a scene holds of the loads on the strands' shape, and what it does not.
 struct RestReport {
   int strands = 0;          ///< that are free to move
-  int not_held = 0;         ///< of them: that start to move
+  int not_held = 0;         ///< of them: that start with a thousandth of the largest load or more
   double acceleration = 0;  ///< of the vertex that starts to move most, m/s^2
   int unstable = 0;         ///< strands that are held in an equilibrium that is not stable
   int without_rest = 0;     ///< elements that hold more than their shape can: at rest nowhere
