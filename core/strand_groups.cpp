@@ -1,19 +1,52 @@
 #include "core/strand_groups.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "core/bytes.h"
 
 namespace ringlet {
+namespace {
+
+/// The bits of a number of ten, two apart.
+std::uint32_t spread_bits(std::uint32_t n) {
+  n = (n | n << 16) & 0x030000ff;
+  n = (n | n << 8) & 0x0300f00f;
+  n = (n | n << 4) & 0x030c30c3;
+  n = (n | n << 2) & 0x09249249;
+  return n;
+}
+
+/// Along a Z-order curve through the box of all roots (Morton 1966): strands whose numbers are near
+/// each other stand near each other.
+std::vector<std::uint32_t> places_on_curve(const Strands& strands) {
+  Eigen::AlignedBox3d box;
+  for (int s = 0; s < strands.count(); ++s) box.extend(strands.rest_position(strands.first(s)));
+  std::vector<std::uint32_t> places(strands.count());
+  const double cell = std::max(box.sizes().maxCoeff(), 1e-300) / 1023;
+  for (int s = 0; s < strands.count(); ++s) {
+    const Eigen::Vector3d root = (strands.rest_position(strands.first(s)) - box.min()) / cell;
+    for (int axis = 0; axis < 3; ++axis) {
+      places[s] |= spread_bits(static_cast<std::uint32_t>(root[axis])) << axis;
+    }
+  }
+  return places;
+}
+
+}  // namespace
 
 StrandGroups::StrandGroups(const Strands& strands, const std::vector<bool>& is_held)
     : slots_(strands.vertex_count()) {
   std::vector<int> order(strands.count());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return strands.size(a) > strands.size(b); });
+  const std::vector<std::uint32_t> places = places_on_curve(strands);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return std::pair(strands.size(b), places[a]) < std::pair(strands.size(a), places[b]);
+  });
   const auto first_held = std::stable_partition(
       order.begin(), order.end(), [&](int s) { return is_held.empty() || !is_held[s]; });
   add_groups(strands, {order.begin(), first_held});

@@ -83,6 +83,27 @@ TEST_CASE("groups hold every vertex exactly once, longest strands first") {
   }
 }
 
+TEST_CASE("strands of one length that stand near each other share a group") {
+  // As many on every corner of a cube as a group holds, the corners in turn.
+  std::vector<Eigen::Vector3d> positions;
+  for (int n = 0; n < 8 * lane_count; ++n) {
+    const Eigen::Vector3d corner(n % 2, n / 2 % 2, n / 4 % 2);
+    const Eigen::Vector3d root = corner + 1e-3 * Eigen::Vector3d(n, n % 3, -n) / lane_count;
+    positions.push_back(root);
+    positions.push_back(root + Eigen::Vector3d(0, 0.1, 0));
+  }
+  const StrandGroups groups(Strands(std::vector<int>(8 * lane_count, 2), positions, hair));
+  REQUIRE(groups.count() == 8);
+  for (int g = 0; g < 8; ++g) {
+    for (const int strand : groups[g].strands) CHECK(strand % 8 == groups[g].strands[0] % 8);
+  }
+}
+
+TEST_CASE("strands whose roots are all in one place have groups, too") {
+  const StrandGroups groups(Strands({2, 2}, {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}}, hair));
+  CHECK(groups.rows() == (lane_count < 2 ? 4 : 2));
+}
+
 TEST_CASE("a field gives back what was set, and its dot product ignores pads of zero fields") {
   const Strands strands = line_strands({5, 2, 9});
   const StrandGroups groups(strands);
