@@ -6,8 +6,8 @@
 namespace ringlet {
 
 /// The memory that a vector holds, bytes.
-template <class T>
-std::size_t bytes_of(const std::vector<T>& values) {
+template <class T, class Allocator>
+std::size_t bytes_of(const std::vector<T, Allocator>& values) {
   return values.capacity() * sizeof(T);
 }
 

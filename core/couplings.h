@@ -68,12 +68,14 @@ class Couplings {
   }
   /// The vertices that are coupled beyond the bands, one group after the other.
   int coupled_count() const { return static_cast<int>(coupled_.size()); }
-  /// Those of a group, in lane order, and the number of the first among all of them.
+  /// Those of a group, one strand after the other, and the number of the first among all of them.
   std::span<const int> coupled(int group) const {
     return std::span(coupled_).subspan(of_group_[group].first_coupled,
                                        of_group_[group].coupled_count);
   }
   int first_coupled(int group) const { return of_group_[group].first_coupled; }
+  /// The first row of a group in which any is.
+  int first_coupled_row(int group) const { return of_group_[group].first_coupled_row; }
   /// y = C x for the coupled vertices of a group, C being the matrix beyond the bands; x has an
   /// entry a coupled vertex of all groups.
   void multiply(int group, std::span<const Vector3<double>> x, std::span<Vector3<double>> y) const;
@@ -144,7 +146,7 @@ class Couplings {
     std::vector<Felt> felt;
     std::vector<TuplePart> tuple_parts;
     std::vector<Block> blocks;
-    int first_coupled = 0, coupled_count = 0;
+    int first_coupled = 0, coupled_count = 0, first_coupled_row = 0;
   };
 
   struct FreeEnd {

@@ -199,7 +199,7 @@ void IncrementalPotential::assemble(const VertexField& x, VertexField& gradient,
                                     SystemMatrix& matrix, LinearSolver& solver,
                                     VertexField& direction, Assembled& result, double added) {
   const bool keep_all = solver.band_factor() == nullptr;
-  if (keep_all || matrix.couples_strands()) matrix.keep_bands();
+  if (keep_all) matrix.keep_bands();
   parallel_for_each(model_.groups.count(), [&](int g) {
     const auto rows = gradient.group(g);
     std::fill(rows.begin(), rows.end(), Vector3<Pack>{0, 0, 0});
@@ -211,9 +211,7 @@ void IncrementalPotential::assemble(const VertexField& x, VertexField& gradient,
       std::fill(still.begin(), still.end(), Vector3<Pack>{0, 0, 0});
       return;
     }
-    const bool coupled = matrix.couplings.touches(g);
-    const GroupBands bands =
-        keep_all || coupled ? matrix.bands.group(g) : matrix.temporary_bands(g);
+    const GroupBands bands = keep_all ? matrix.bands.group(g) : matrix.temporary_bands(g);
     matrix.couplings.add_gradient(g, rows);
     const std::span of_group = terms_of(g);
     of_group.back() = 0;
@@ -224,6 +222,7 @@ void IncrementalPotential::assemble(const VertexField& x, VertexField& gradient,
     matrix.couplings.add_to_bands(g, bands);
     squared_gradients_[g] = pin_gradient(rows, free);
     pin_rows(bands, free);
+    const bool coupled = matrix.couplings.touches(g);
     naming(solver, [&] { solver.prepare_group({g, bands, rows, coupled}, direction.group(g)); });
   });
   sum_terms(result.terms);

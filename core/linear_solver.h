@@ -38,11 +38,14 @@ class LinearSolver : public Named {
  public:
   virtual ~LinearSolver() = default;
 
+  /// Called before bind() by a solver that preconditions with this one and stops at this tolerance:
+  /// a preconditioner that is exact but for an error well below it may save time by that.
+  virtual void set_tolerance(double) {}
   /// Allocates what matrices of these groups need. Called once.
   virtual void bind(const StrandGroups& groups) = 0;
-  /// Not null: the solver turns the bands of each group into this factor in prepare_group(), in
-  /// their place, and solves there with them. Nobody reads the bands afterwards: those of a group
-  /// that is not coupled are gone, those of the others stay as the solver leaves them.
+  /// Not null: the solver turns the bands of each group into this factor in prepare_group(), and
+  /// solves there with it. Nobody else reads the bands: it may factor them in their place, and they
+  /// are gone when it returns.
   virtual const BandFactor* band_factor() const { return nullptr; }
   /// Called as soon as the system of a group is complete, while it is warm in cache; from several
   /// threads at once, for different groups. A solver with a band factor makes it here, and writes

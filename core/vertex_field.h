@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/bytes.h"
+#include "core/huge_pages.h"
 #include "core/strand_groups.h"
 #include "core/vector3.h"
 
@@ -51,7 +52,7 @@ class VertexField {
 
  private:
   const StrandGroups* groups_ = nullptr;
-  std::vector<Vector3<Pack>> rows_;
+  std::vector<Vector3<Pack>, HugePages<Vector3<Pack>>> rows_;
 };
 
 /// The i-th vertex of the benign helix that pads stand on, m.

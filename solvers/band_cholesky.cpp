@@ -41,7 +41,7 @@ inline void subtract_square(std::array<Pack, 6>& s, const Matrix3<Pack>& a) {
   }
 }
 
-/// A row of blocks, of A or of the factor: row[k] stands at (i, i - k).
+/// A row of blocks, of A or of the factor in its place: row[k] stands at (i, i - k).
 using Row = Matrix3<Pack>*;
 using ConstRow = const Matrix3<Pack>*;
 
@@ -49,7 +49,27 @@ inline InverseTriangle inverse_diagonal(ConstRow row) {
   const auto& m = row[0].m;
   return {{m[0], m[1], m[2], m[3], m[4], m[5]}};
 }
+inline const Matrix3<Pack>& left_block(ConstRow row, int k) { return row[k]; }
 inline ConstRow above(ConstRow row, int k) { return row - k * band_blocks; }
+
+inline Pack widened(const Pack& numbers) { return numbers; }
+inline Pack widened(const SinglePack& numbers) {
+  return std::experimental::static_simd_cast<Pack>(numbers);
+}
+
+/// The same of a row that is kept.
+template <class Stored>
+inline InverseTriangle inverse_diagonal(const FactorRow<Stored>& row) {
+  InverseTriangle inverse;
+  for (int n = 0; n < 6; ++n) inverse.t[n] = widened(row.inverse_diagonal[n]);
+  return inverse;
+}
+template <class Stored>
+inline Matrix3<Pack> left_block(const FactorRow<Stored>& row, int k) {
+  Matrix3<Pack> block;
+  for (int n = 0; n < 9; ++n) block.m[n] = widened(row.left[k - 1].m[n]);
+  return block;
+}
 
 /// One row of the factor, of which the rows before are known, in the place of that row of A.
 template <int left>
@@ -66,36 +86,29 @@ inline void factor_row(Row row, Mask& bad) {
 }
 
 /// Forward substitution: x points to a row of the solution, which holds the right-hand side.
-template <int left>
-inline void solve_row(ConstRow row, Vector3<Pack>* x) {
+template <int left, class AnyRow>
+[[gnu::always_inline]] inline void solve_row(const AnyRow& row, Vector3<Pack>* x) {
   Vector3<Pack> sum = *x;
-  for (int k = left; k >= 1; --k) sum -= row[k] * x[-k];
+  for (int k = left; k >= 1; --k) sum -= left_block(row, k) * x[-k];
   *x = inverse_diagonal(row) * sum;
 }
 
 /// Backward substitution: solves a row, and takes its part off the rows above it.
-template <int left>
-inline void solve_transposed_row(ConstRow row, Vector3<Pack>* x) {
+template <int left, class AnyRow>
+[[gnu::always_inline]] inline void solve_transposed_row(const AnyRow& row, Vector3<Pack>* x) {
   const Vector3<Pack> solved = *x = transpose_multiply(inverse_diagonal(row), *x);
-  for (int k = 1; k <= left; ++k) x[-k] -= transpose_multiply(row[k], solved);
-}
-
-inline void solve_transposed(GroupBands factor, std::span<Vector3<Pack>> x, int first) {
-  for (int i = factor.rows(); i-- > first;) {
-    with_left_blocks(i, [&](auto left) { solve_transposed_row<left>(&factor.block(i, 0), &x[i]); });
-  }
+  for (int k = 1; k <= left; ++k) x[-k] -= transpose_multiply(left_block(row, k), solved);
 }
 
 // The substitution waits for its own last result and so reads too slowly to keep the memory busy:
-// prefetching takes a quarter off its time.
-inline void prefetch(ConstRow row) {
+// prefetching takes a third off its time.
+template <class Stored>
+inline void prefetch(const FactorRow<Stored>& row) {
   constexpr std::size_t cache_line = 64;
-  const char* bytes = reinterpret_cast<const char*>(row);
-  for (std::size_t n = 0; n < band_blocks * sizeof(*row); n += cache_line) {
-    __builtin_prefetch(bytes + n);
-  }
+  const char* bytes = reinterpret_cast<const char*>(&row);
+  for (std::size_t n = 0; n < sizeof(row); n += cache_line) __builtin_prefetch(bytes + n, 0, 2);
 }
-constexpr int prefetch_rows = 4;
+constexpr int prefetch_rows = 16;
 
 }  // namespace
 
@@ -105,20 +118,46 @@ constexpr int prefetch_rows = 4;
   for (int i = 0; i < bands.rows(); ++i) {
     with_left_blocks(i, [&](auto left) {
       factor_row<left>(&bands.block(i, 0), bad);
-      solve_row<left>(&bands.block(i, 0), &x[i]);
+      solve_row<left>(ConstRow(&bands.block(i, 0)), &x[i]);
     });
   }
-  solve_transposed(bands, x, 0);
+  for (int i = bands.rows(); i-- > 0;) {
+    with_left_blocks(
+        i, [&](auto left) { solve_transposed_row<left>(ConstRow(&bands.block(i, 0)), &x[i]); });
+  }
   return !any(bad);
 }
 
-[[gnu::flatten]] void solve_bands(GroupBands factor, std::span<Vector3<Pack>> x, int first) {
-  const int rows = factor.rows();
-  for (int i = first; i < rows; ++i) {
-    if (i + prefetch_rows < rows) prefetch(&factor.block(i + prefetch_rows, 0));
-    with_left_blocks(i, [&](auto left) { solve_row<left>(&factor.block(i, 0), &x[i]); });
+template <class Stored>
+void keep_factor(GroupBands factor, std::span<FactorRow<Stored>> kept) {
+  const auto stored = [](const Pack& numbers) {
+    return std::experimental::static_simd_cast<Stored>(numbers);
+  };
+  for (int i = 0; i < factor.rows(); ++i) {
+    for (int n = 0; n < 6; ++n) kept[i].inverse_diagonal[n] = stored(factor.block(i, 0).m[n]);
+    for (int k = 1; k < band_blocks; ++k) {
+      for (int n = 0; n < 9; ++n) kept[i].left[k - 1].m[n] = stored(factor.block(i, k).m[n]);
+    }
   }
-  solve_transposed(factor, x, first);
 }
+
+template <class Stored>
+[[gnu::flatten]] void solve_bands(std::span<const FactorRow<Stored>> factor,
+                                  std::span<Vector3<Pack>> x, int first) {
+  const int rows = static_cast<int>(factor.size());
+  for (int i = first; i < rows; ++i) {
+    if (i + prefetch_rows < rows) prefetch(factor[i + prefetch_rows]);
+    with_left_blocks(i, [&](auto left) { solve_row<left>(factor[i], &x[i]); });
+  }
+  for (int i = rows; i-- > first;) {
+    with_left_blocks(i, [&](auto left) { solve_transposed_row<left>(factor[i], &x[i]); });
+  }
+}
+
+template void keep_factor<Pack>(GroupBands, std::span<FactorRow<Pack>>);
+template void keep_factor<SinglePack>(GroupBands, std::span<FactorRow<SinglePack>>);
+template void solve_bands<Pack>(std::span<const FactorRow<Pack>>, std::span<Vector3<Pack>>, int);
+template void solve_bands<SinglePack>(std::span<const FactorRow<SinglePack>>,
+                                      std::span<Vector3<Pack>>, int);
 
 }  // namespace ringlet

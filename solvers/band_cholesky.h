@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "core/strand_bands.h"
@@ -18,7 +19,31 @@ namespace ringlet {
 /// of any lane is not positive and finite.
 bool factor_and_solve(GroupBands bands, std::span<Vector3<Pack>> x);
 
+/// Half as wide as a pack, with a number a lane all the same.
+using SinglePack =
+    std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, lane_count>>;
+
+/// A block row of a factor as it is kept, in double or, rounded, in single precision: the
+/// InverseTriangle of its diagonal, and left[k - 1] = L(i, i - k).
+template <class Stored>
+struct FactorRow {
+  std::array<Stored, 6> inverse_diagonal;
+  std::array<Matrix3<Stored>, band_blocks - 1> left;
+};
+
+/// Copies the factor that factor_and_solve() made.
+template <class Stored>
+void keep_factor(GroupBands factor, std::span<FactorRow<Stored>> kept);
+
 /// x = (L L^T)^-1 x. Where x is zero before row `first`, it is left undefined there.
-void solve_bands(GroupBands factor, std::span<Vector3<Pack>> x, int first = 0);
+template <class Stored>
+void solve_bands(std::span<const FactorRow<Stored>> factor, std::span<Vector3<Pack>> x, int first);
+
+extern template void keep_factor<Pack>(GroupBands, std::span<FactorRow<Pack>>);
+extern template void keep_factor<SinglePack>(GroupBands, std::span<FactorRow<SinglePack>>);
+extern template void solve_bands<Pack>(std::span<const FactorRow<Pack>>, std::span<Vector3<Pack>>,
+                                       int);
+extern template void solve_bands<SinglePack>(std::span<const FactorRow<SinglePack>>,
+                                             std::span<Vector3<Pack>>, int);
 
 }  // namespace ringlet

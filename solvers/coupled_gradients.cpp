@@ -35,19 +35,17 @@ SolveReport CoupledGradients::solve(const BandFactor& factor, const Couplings& c
   SolveReport report{.converged = start == 0};
   if (!(start > 0) || !std::isfinite(start)) return report;
 
-  begin(x);
-  double squared_norm = precondition(), last_squared_norm = squared_norm;
+  double squared_norm = begin(x), last_squared_norm = squared_norm;
   while (std::isfinite(squared_norm) && squared_norm >= 0) {
     report.residual = std::sqrt(squared_norm / start);
     report.converged = report.residual <= stop.tolerance;
     if (report.converged || report.iterations == stop.max_iterations) break;
-    turn_direction(report.iterations == 0 ? 0 : squared_norm / last_squared_norm);
+    if (report.iterations > 0) turn_direction(squared_norm / last_squared_norm);
     const double alpha = squared_norm / multiply_direction();
     if (!(alpha > 0) || !std::isfinite(alpha)) break;
     ++report.iterations;
-    go(alpha);
     last_squared_norm = squared_norm;
-    squared_norm = precondition();
+    squared_norm = go(alpha);
   }
   if (report.iterations > 0) finish(x);
   return report;
@@ -63,38 +61,49 @@ double CoupledGradients::squared_norm(const VertexField& b, const VertexField& x
   });
 }
 
-/// r = -C x.
-void CoupledGradients::begin(const VertexField& x) {
-  const int count = couplings_->coupled_count();
+/// r = -C x, z = B^-1 r, p = z and B p = r; returns r^T z.
+double CoupledGradients::begin(const VertexField& x) {
   for (Vectors* vectors : {&residual_, &preconditioned_, &direction_, &band_product_,
                            &coupling_product_, &right_side_}) {
-    vectors->assign(count, {0, 0, 0});
+    vectors->resize(couplings_->coupled_count());
   }
+  slots_.resize(couplings_->coupled_count());
   for_coupled([&](int g, int first, int n) {
     const auto vertices = couplings_->coupled(g);
-    for (int i = 0; i < n; ++i) direction_[first + i] = from_eigen(x.get(vertices[i]));
+    for (int i = 0; i < n; ++i) {
+      preconditioned_[first + i] = from_eigen(x.get(vertices[i]));
+      const LaneSlot slot = groups_->slot(vertices[i]);
+      slots_[first + i] = {slot.row - (*groups_)[g].first_row, slot.lane};
+    }
   });
   for_coupled([&](int g, int first, int n) {
-    couplings_->multiply(g, direction_, std::span(residual_).subspan(first, n));
-    for (int i = first; i < first + n; ++i) residual_[i] = -residual_[i];
+    couplings_->multiply(g, preconditioned_, std::span(residual_).subspan(first, n));
+  });
+  return sum_coupled([&](int g, int first, int n) {
+    for (int i = first; i < first + n; ++i) {
+      residual_[i] = band_product_[i] = -residual_[i];
+      right_side_[i] = {0, 0, 0};
+    }
+    const double product = precondition(g);
+    std::copy_n(&preconditioned_[first], n, &direction_[first]);
+    return product;
   });
 }
 
-/// z = B^-1 r; returns r^T z.
-double CoupledGradients::precondition() {
-  return sum_coupled([&](int g, int first, int n) {
-    const std::span<Vector3<Pack>> rows = rows_with(residual_, g);
-    factor_->solve_group(g, first_coupled_row(g), rows);
-    double product = 0;
-    const auto vertices = couplings_->coupled(g);
-    for (int i = 0; i < n; ++i) {
-      const auto [row, lane] = groups_->slot(vertices[i]);
-      const Vector3<Pack>& z = rows[row - (*groups_)[g].first_row];
-      preconditioned_[first + i] = {z.x[lane], z.y[lane], z.z[lane]};
-      product += dot(residual_[first + i], preconditioned_[first + i]);
-    }
-    return product;
-  });
+/// z = B^-1 r in a group; returns its part of r^T z.
+double CoupledGradients::precondition(int group) {
+  const std::span<Vector3<Pack>> rows = rows_with(residual_, group);
+  factor_->solve_group(group, couplings_->first_coupled_row(group), rows);
+  double product = 0;
+  const int first = couplings_->first_coupled(group),
+            count = static_cast<int>(couplings_->coupled(group).size());
+  for (int i = first; i < first + count; ++i) {
+    const auto [row, lane] = slots_[i];
+    const Vector3<Pack>& z = rows[row];
+    preconditioned_[i] = {z.x[lane], z.y[lane], z.z[lane]};
+    product += dot(residual_[i], preconditioned_[i]);
+  }
+  return product;
 }
 
 /// p = z + beta p, and so B p = r + beta B p.
@@ -119,13 +128,14 @@ double CoupledGradients::multiply_direction() {
   });
 }
 
-/// r -= alpha A p, and the iterate moves by alpha p.
-void CoupledGradients::go(double alpha) {
-  for_coupled([&](int, int first, int n) {
+/// r -= alpha A p and z = B^-1 r, and the iterate moves by alpha p; returns r^T z.
+double CoupledGradients::go(double alpha) {
+  return sum_coupled([&](int g, int first, int n) {
     for (int i = first; i < first + n; ++i) {
       residual_[i] -= alpha * (band_product_[i] + coupling_product_[i]);
       right_side_[i] += alpha * band_product_[i];
     }
+    return precondition(g);
   });
 }
 
@@ -143,22 +153,16 @@ void CoupledGradients::finish(VertexField& x) {
 /// until the next call.
 std::span<Vector3<Pack>> CoupledGradients::rows_with(const Vectors& values, int group) {
   std::vector<Vector3<Pack>>& rows = temporary_.local();
-  const StrandGroup& strands = (*groups_)[group];
-  rows.assign(strands.vertices, {0, 0, 0});
-  int place = couplings_->first_coupled(group);
-  for (const int vertex : couplings_->coupled(group)) {
-    const auto [row, lane] = groups_->slot(vertex);
-    Vector3<Pack>& target = rows[row - strands.first_row];
-    const Vector3<double>& value = values[place++];
-    target.x[lane] = value.x;
-    target.y[lane] = value.y;
-    target.z[lane] = value.z;
+  rows.assign((*groups_)[group].vertices, {0, 0, 0});
+  const int first = couplings_->first_coupled(group),
+            count = static_cast<int>(couplings_->coupled(group).size());
+  for (int i = first; i < first + count; ++i) {
+    const auto [row, lane] = slots_[i];
+    rows[row].x[lane] = values[i].x;
+    rows[row].y[lane] = values[i].y;
+    rows[row].z[lane] = values[i].z;
   }
   return rows;
-}
-
-int CoupledGradients::first_coupled_row(int group) const {
-  return groups_->slot(couplings_->coupled(group).front()).row - (*groups_)[group].first_row;
 }
 
 std::size_t CoupledGradients::bytes() const {
@@ -168,6 +172,7 @@ std::size_t CoupledGradients::bytes() const {
     sum += bytes_of(*vectors);
   }
   for (const auto& rows : temporary_) sum += bytes_of(rows);
+  sum += bytes_of(slots_);
   return sum;
 }
 

@@ -34,17 +34,16 @@ class CoupledGradients {
   std::size_t bytes() const;
 
  private:
-  using Vectors = std::vector<Vector3<double>>;
+  using Vectors = std::vector<Vector3<double>, HugePages<Vector3<double>>>;
 
   double squared_norm(const VertexField& b, const VertexField& x);
-  void begin(const VertexField& x);
-  double precondition();
+  double begin(const VertexField& x);
+  double precondition(int group);
   void turn_direction(double beta);
   double multiply_direction();
-  void go(double alpha);
+  double go(double alpha);
   void finish(VertexField& x);
   std::span<Vector3<Pack>> rows_with(const Vectors& values, int group);
-  int first_coupled_row(int group) const;
   template <class Body>
   void for_coupled(const Body& body) const;
   template <class Body>
@@ -56,6 +55,7 @@ class CoupledGradients {
   GroupSum sum_;
   // r, z = B^-1 r, p, B p, C p, and the sum of alpha B p, at the coupled vertices.
   Vectors residual_, preconditioned_, direction_, band_product_, coupling_product_, right_side_;
+  std::vector<LaneSlot> slots_;  // where they stand in the rows of their group
   tbb::enumerable_thread_specific<std::vector<Vector3<Pack>>> temporary_;
 };
 

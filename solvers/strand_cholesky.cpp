@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "core/registry.h"
 #include "solvers/band_cholesky.h"
+#include "solvers/kept_factors.h"
 
 namespace ringlet {
 namespace {
@@ -19,20 +20,22 @@ struct StrandCholeskyParameters {
 
 class StrandCholesky final : public LinearSolver, private BandFactor {
  public:
+  void set_tolerance(double tolerance) override { tolerance_ = tolerance; }
+
   void bind(const StrandGroups& groups) override {
     groups_ = &groups;
-    factors_.resize(groups.count());
+    factors_.bind(groups, tolerance_);
     positive_.assign(groups.count(), true);
   }
 
-  std::size_t bytes() const override { return bytes_of(factors_) + bytes_of(positive_); }
+  std::size_t bytes() const override { return factors_.bytes() + bytes_of(positive_); }
   const BandFactor* band_factor() const override { return this; }
 
   void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) override {
     const int g = system.group;
     std::copy(system.b.begin(), system.b.end(), x.begin());
     positive_[g] = factor_and_solve(system.bands, x);
-    factors_[g] = system.coupled ? system.bands : GroupBands();
+    if (system.coupled && positive_[g]) factors_.keep(g, system.bands, system.b, x);
   }
 
   bool prepare(const SystemMatrix& a) override {
@@ -50,7 +53,7 @@ class StrandCholesky final : public LinearSolver, private BandFactor {
 
  private:
   void solve_group(int group, int first, std::span<Vector3<Pack>> x) const override {
-    solve_bands(factors_[group], x, first);
+    factors_.solve(group, first, x);
   }
 
   /// ||b - A x|| / ||b||: what is left are the couplings.
@@ -64,8 +67,9 @@ class StrandCholesky final : public LinearSolver, private BandFactor {
 
   const StrandGroups* groups_ = nullptr;
   const SystemMatrix* matrix_ = nullptr;
-  std::vector<GroupBands> factors_;  // of coupled groups, in the place of their bands
-  std::vector<char> positive_;       // not vector<bool>: threads write neighbours at once
+  double tolerance_ = 0;
+  KeptFactors factors_;         // of coupled groups
+  std::vector<char> positive_;  // not vector<bool>: threads write neighbours at once
 };
 
 }  // namespace

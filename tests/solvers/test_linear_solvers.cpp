@@ -61,6 +61,24 @@ TEST_CASE("every solver but strand_cholesky solves a system with couplings") {
   for (const Json& json : exact_solvers()) check_solution(json, system);
 }
 
+TEST_CASE("conjugate gradients are as exact as their tolerance asks for") {
+  const RandomSystem system(lengths, 40, 14);
+  const VertexField b = system.right_hand_side(7);
+  const Eigen::Matrix3Xd expected = RandomSystem::dense_solution(system.dense, b);
+  const auto energy_norm = [&](const Eigen::Matrix3Xd& x) {
+    return std::sqrt(x.reshaped().dot(system.dense * x.reshaped()));
+  };
+  for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9}) {
+    INFO(tolerance);
+    const auto solver = make_solver({{"type", "pcg"}, {"tolerance", tolerance}});
+    Prepared prepared(*solver, system.matrix, b);
+    REQUIRE(prepared.accepted());
+    CHECK(prepared.solve().converged);
+    const Eigen::Matrix3Xd error = prepared.solution().matrix() - expected;
+    CHECK(energy_norm(error) < 10 * tolerance * energy_norm(expected));
+  }
+}
+
 TEST_CASE("strand_cholesky says that it leaves couplings out, and solves with the bands") {
   const RandomSystem system(lengths, 40, 2);
   const auto solver = make_solver("strand_cholesky");

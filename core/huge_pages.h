@@ -1,0 +1,53 @@
+#pragma once
+
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <utility>
+
+namespace ringlet {
+
+/// An allocator for arrays that are streamed through: in huge pages, where the system has them and
+/// the array fills one, so that reading waits less for page tables (a fifth of the time of a
+/// substitution with factors that no cache holds). A vector that grows leaves its new elements
+/// uninitialised, and their pages untouched.
+template <class T>
+class HugePages {
+ public:
+  using value_type = T;
+
+  HugePages() = default;
+  template <class U>
+  explicit HugePages(const HugePages<U>&) {}
+
+  T* allocate(std::size_t count) {
+    const std::size_t bytes = count * sizeof(T);
+    const std::size_t alignment = bytes < page ? std::max(alignof(T), sizeof(void*)) : page;
+    void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+    if (memory == nullptr) throw std::bad_alloc();
+#ifdef MADV_HUGEPAGE
+    if (alignment == page) madvise(memory, bytes, MADV_HUGEPAGE);
+#endif
+    return static_cast<T*>(memory);
+  }
+  void deallocate(T* memory, std::size_t) { std::free(memory); }
+
+  template <class U, class... Arguments>
+  void construct(U* place, Arguments&&... arguments) {
+    if constexpr (sizeof...(Arguments) == 0) {
+      ::new (static_cast<void*>(place)) U;
+    } else {
+      std::construct_at(place, std::forward<Arguments>(arguments)...);
+    }
+  }
+
+  friend bool operator==(const HugePages&, const HugePages&) { return true; }
+
+ private:
+  static constexpr std::size_t page = std::size_t{1} << 21;
+};
+
+}  // namespace ringlet
