@@ -220,6 +220,9 @@ void ColliderContacts::evaluate_batch(const Batch& batch, const VertexField& x,
     neighbourhood.points[n] = to_collider * x.get(vertices_[batch.begin + n]);
   }
   neighbourhood.find(*colliders_[batch.collider], count, law_.thickness);
+  const auto evaluate_law = [&](double distance) {
+    return naming(*law_.energy, [&] { return law_.at(distance); });
+  };
   for (int n = 0; n < count; ++n) {
     const auto& found = neighbourhood.found[n];
     if (!found || !(found->distance < law_.thickness)) continue;
@@ -229,7 +232,7 @@ void ColliderContacts::evaluate_batch(const Batch& batch, const VertexField& x,
                          {1, 0, 0, 0},
                          placement.linear() * found->normal,
                          law_.thickness - found->distance,
-                         law_.at(found->distance)}});
+                         evaluate_law(found->distance)}});
   }
 }
 

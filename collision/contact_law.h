@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/contact_energy.h"
-#include "core/registry.h"
 
 namespace ringlet {
 
@@ -12,7 +11,7 @@ struct ContactLaw {
   double stiffness;  ///< N/m
 
   DistanceEnergy at(double distance) const {
-    return naming(*energy, [&] { return energy->at(distance, thickness, stiffness); });
+    return energy->at(distance, thickness, stiffness);
   }
 };
 

@@ -4,6 +4,9 @@
 
 #include "collision/fcl_stage.h"
 
+#include <atomic>
+#include <cstring>
+
 #include "collision/continuous.h"
 #include "core/parallel.h"
 
@@ -67,7 +70,7 @@ Schema<FclStageParameters> FclStageParameters::schema() {
            "inside of colliders: the columns crossings and collider_depth of metrics.csv")
       .key("margin", &P::margin, "m", at_least(0),
            "candidates are collected this much further than the thickness, so that they last while "
-           "strands move; half the thickness if absent")
+           "strands move; the thickness if absent")
       .key("detector", &P::detector, "", any_number(), "finds the edges that are near each other")
       .key("response", &P::response, "", any_number(), "how hard contacts are pushed apart")
       .key("detect", &P::detect, "", any_number(),
@@ -80,7 +83,7 @@ Schema<FclStageParameters> FclStageParameters::schema() {
         p.collider_thickness = p.collider_thickness.value_or(p.thickness / 2);
         p.collider_stiffness = p.collider_stiffness.value_or(p.stiffness);
         p.collider_friction = p.collider_friction.value_or(p.friction);
-        p.margin = p.margin.value_or(p.thickness / 2);
+        p.margin = p.margin.value_or(p.thickness);
       });
 }
 
@@ -98,6 +101,7 @@ void FclStage::bind(const Strands& strands, const StrandGroups& groups, const Mo
   chunks_ = make_edge_chunks(strands);
   collider_contacts_.bind(chunks_, motions);
   positions_.resize(strands.vertex_count());
+  evaluated_ = VertexField(groups);
   if (parameters_.strand_contacts) bind_strand_contacts(strands);
   if (parameters_.audit) {
     audit_.emplace(strand_contacts_ ? strand_contacts_->continuous() : nullptr, collider_contacts_);
@@ -133,7 +137,7 @@ void FclStage::begin_step(const VertexField& x_n, double time_end, double dt) {
   collider_contacts_.move_to(time_end, dt);
   if (friction_.is_wanted()) friction_.begin_step(x_n, dt);
   is_new_step_ = true;
-  is_swept_ = false;
+  is_swept_ = is_evaluated_ = false;
   if (!audit_) return;
   gather(x_n);
   audit_->begin_step(positions_);
@@ -170,14 +174,32 @@ bool FclStage::are_candidates_valid(std::span<const Eigen::Vector3d> from,
 }
 
 void FclStage::collect_candidates() {
+  is_evaluated_ = false;
   movement_.start_from(positions_);
   if (strand_contacts_) strand_contacts_->detect(positions_);
   collider_contacts_.detect(positions_);
 }
 
+// A line search ends where the next iteration begins.
 void FclStage::evaluate(const VertexField& x) {
+  if (is_evaluated_ && is_evaluated_at(x)) return;
+  parallel_for_each(groups_->count(), [&](int g) {
+    std::copy(x.group(g).begin(), x.group(g).end(), evaluated_.group(g).begin());
+  });
+  is_evaluated_ = true;
   if (strand_contacts_) strand_contacts_->evaluate(x, touching_strands_);
   collider_contacts_.evaluate(x, touching_colliders_);
+}
+
+bool FclStage::is_evaluated_at(const VertexField& x) const {
+  std::atomic<bool> is_same = true;
+  parallel_for_each(groups_->count(), [&](int g) {
+    const auto rows = x.group(g), evaluated = evaluated_.group(g);
+    if (is_same && std::memcmp(rows.data(), evaluated.data(), rows.size_bytes()) != 0) {
+      is_same = false;
+    }
+  });
+  return is_same;
 }
 
 // Friction is that of the forces, normals and closest points at x, until the next iteration.
@@ -217,6 +239,7 @@ bool FclStage::can_reach(const VertexField& x_n, VertexField& guess) {
   bring_to(positions_, start);
   if (!movement_.has_started() || !strand_contacts_->are_valid(start, positions_, 0, movement_)) {
     movement_ = {};
+    is_evaluated_ = false;
     strand_contacts_->detect_on_way(start, positions_, 0);
   }
   return strand_contacts_->free_part(start, positions_, vanishing) == 1;
@@ -240,6 +263,7 @@ void FclStage::find_candidates_of_way(std::span<const Eigen::Vector3d> to) {
   collect_candidates();
   if (are_candidates_valid(positions_, to)) return;
   movement_ = {};
+  is_evaluated_ = false;
   if (strand_contacts_) strand_contacts_->detect_on_way(positions_, to, parameters_.thickness);
   collider_contacts_.detect(positions_, longest_distance(positions_, to));
   is_swept_ = true;
@@ -260,7 +284,7 @@ double FclStage::add(const VertexField& x, Couplings* couplings) {
 std::size_t FclStage::bytes() const {
   return (strand_contacts_ ? strand_contacts_->bytes() : 0) + collider_contacts_.bytes() +
          touching_strands_.bytes() + touching_colliders_.bytes() + bytes_of(chunks_) +
-         bytes_of(positions_);
+         bytes_of(positions_) + evaluated_.bytes();
 }
 
 void register_fcl_stage(Registry& registry);

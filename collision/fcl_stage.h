@@ -77,6 +77,7 @@ class FclStage final : public CollisionStage {
   void gather(const VertexField& x);
   void follow(const VertexField& x);
   void evaluate(const VertexField& x);
+  bool is_evaluated_at(const VertexField& x) const;
   void lag_friction(const VertexField& x);
 
   FclStageParameters parameters_;
@@ -90,6 +91,8 @@ class FclStage final : public CollisionStage {
   Movement movement_;                               // since candidates were collected
   std::vector<Eigen::Vector3d> positions_;          // of the last detect()
   Touching touching_strands_, touching_colliders_;  // at the positions of the last evaluate()
+  VertexField evaluated_;                           // these positions
+  bool is_evaluated_ = false;                       // of the candidates as they are now
   Friction friction_;
   std::optional<Audit> audit_;
   ContactReport report_;

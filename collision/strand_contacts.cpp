@@ -1,6 +1,5 @@
 #include "collision/strand_contacts.h"
 
-#include "collision/contact_law.h"
 #include "core/registry.h"
 
 namespace ringlet {
@@ -83,19 +82,25 @@ void StrandContacts::add_touching(int first, int count, const VertexField& x,
                                   std::vector<Touching::Found>& found) const {
   const std::span<const EdgePair> pairs(&pairs_[first], count);
   const SegmentGaps gaps(pairs, x, parameters_.thickness);
+  const std::size_t found_before = found.size();
   for (int n = 0; n < count; ++n) {
     const EdgePair& pair = pairs[n];
-    const ContactLaw law{&response_, thickness_[first + n], stiffness_of(first + n)};
-    const double distance = gaps.distances()[n];
-    if (distance >= law.thickness) continue;
+    const double distance = gaps.distances()[n], thickness = thickness_[first + n];
+    if (distance >= thickness) continue;
     const SegmentGap gap = distance == 0 ? gap_of(pair, x) : gaps.of(n);
     found.push_back({first + n,
                      {{pair.first, pair.first + 1, pair.second, pair.second + 1},
                       gap.weights,
                       gap.normal,
-                      law.thickness - distance,
-                      law.at(distance)}});
+                      thickness - distance,
+                      {}}});
   }
+  if (found.size() == found_before) return;
+  naming(response_, [&] {
+    for (auto& [p, contact] : std::span(found).subspan(found_before)) {
+      contact.energy = response_.at(gaps.distances()[p - first], thickness_[p], stiffness_of(p));
+    }
+  });
 }
 
 std::size_t StrandContacts::bytes() const {

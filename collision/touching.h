@@ -22,7 +22,16 @@ class Touching {
   void collect(int parts, const Find& find) {
     for (auto& part : parts_) part.clear();
     if (static_cast<int>(parts_.size()) < parts) parts_.resize(parts);
-    parallel_for_each(parts, [&](int p) { find(p, parts_[p]); });
+    sums_.resize(parts_.size());
+    parallel_for_each(static_cast<int>(parts_.size()), [&](int p) {
+      if (p < parts) find(p, parts_[p]);
+      sums_[p].energies.clear();
+      sums_[p].depth = 0;
+      for (const auto& [candidate, contact] : parts_[p]) {
+        sums_[p].energies.push_back(contact.energy.value);
+        sums_[p].depth = std::max(sums_[p].depth, contact.depth);
+      }
+    });
   }
 
   int count() const {
@@ -37,15 +46,18 @@ class Touching {
       for (const auto& [candidate, contact] : part) visit(candidate, contact);
     }
   }
+  /// Added up contact by contact: candidates that do not touch leave the bits of it alone.
   double energy() const {
     double sum = 0;
-    for_each([&](int, const Contact& contact) { sum += contact.energy.value; });
+    for (const Sums& part : sums_) {
+      for (const double energy : part.energies) sum += energy;
+    }
     return sum;
   }
   /// The largest depth, m; 0 if nothing touches.
   double depth() const {
     double largest = 0;
-    for_each([&](int, const Contact& contact) { largest = std::max(largest, contact.depth); });
+    for (const Sums& part : sums_) largest = std::max(largest, part.depth);
     return largest;
   }
   void add_terms(Couplings& couplings) {
@@ -62,10 +74,21 @@ class Touching {
     });
   }
 
-  std::size_t bytes() const { return bytes_of(parts_) + bytes_of(first_terms_); }
+  std::size_t bytes() const {
+    std::size_t sum = bytes_of(parts_) + bytes_of(sums_) + bytes_of(first_terms_);
+    for (const Sums& part : sums_) sum += bytes_of(part.energies);
+    return sum;
+  }
 
  private:
+  /// What is summed over the contacts of a part, while they are warm in cache.
+  struct Sums {
+    std::vector<double> energies;
+    double depth = 0;
+  };
+
   std::vector<std::vector<Found>> parts_;  // those without candidates are kept for later
+  std::vector<Sums> sums_;                 // of each part
   std::vector<int> first_terms_;           // of each part
 };
 

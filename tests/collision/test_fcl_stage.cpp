@@ -136,6 +136,43 @@ TEST_CASE("the stage's gradient is that of differences along random directions")
   }
 }
 
+TEST_CASE("contacts follow positions and colliders, whatever was asked for before") {
+  std::mt19937 random(27);
+  const Strands strands = random_bundle(random, 20);
+  const char* const json =
+      R"({"type": "fcl", "thickness": 2e-3, "stiffness": 3, "push_at_rest": true,
+          "colliders": [{"type": "plane", "normal": [0, 1, 0], "motion": "nod"}]})";
+  Scenery s(strands, json);
+  add_nod(s.motions);
+  s.start();
+  VertexField other = s.x;
+  for (int v = 0; v < s.strands.vertex_count(); ++v) other.add(v, random_point(random, 2e-4));
+  const auto fresh = [&](const VertexField& at, double time) {
+    Scenery f(strands, json);
+    add_nod(f.motions);
+    f.start();
+    f.stage->begin_step(f.x, time, 0.01);
+    f.stage->detect(at);
+    return f.stage->add(at, nullptr);
+  };
+  const double here = s.stage->add(s.x, nullptr), there = s.stage->add(other, nullptr);
+  REQUIRE(here != there);
+  CHECK(here == fresh(s.x, 0));
+  CHECK(there == fresh(other, 0));
+  CHECK(s.stage->add(other, nullptr) == there);
+  s.stage->detect(other);
+  const VertexField gradient = s.gradient_at(other);
+  CHECK(dot(gradient, gradient) > 0);
+  CHECK(s.stage->add(s.x, nullptr) == here);
+  // So little that the candidates stay; then more.
+  for (const double time : {0.01, 0.4}) {
+    s.stage->begin_step(s.x, time, 0.01);
+    s.stage->detect(s.x);
+    CHECK(s.stage->add(s.x, nullptr) == fresh(s.x, time));
+    CHECK(s.stage->add(s.x, nullptr) != here);
+  }
+}
+
 TEST_CASE("the stage's Hessian is symmetric and semi-definite") {
   std::mt19937 random(29);
   Scenery s(random_bundle(random, 8), bundle_stage);
