@@ -10,9 +10,7 @@ struct ContactLaw {
   double thickness;  ///< m
   double stiffness;  ///< N/m
 
-  DistanceEnergy at(double distance) const {
-    return energy->at(distance, thickness, stiffness);
-  }
+  DistanceEnergy at(double distance) const { return energy->at(distance, thickness, stiffness); }
 };
 
 }  // namespace ringlet
