@@ -15,8 +15,8 @@ namespace ringlet {
 namespace {
 
 struct PcgParameters {
-  // Tighter ones cost more and save no Newton iteration (measured on the hairball, stiff and soft,
-  // penalty and barrier): the next one makes up for the rest.
+  // Tighter ones cost more and save hardly a Newton iteration (measured on the hairball, stiff and
+  // soft, penalty and barrier): the next one makes up for the rest.
   double tolerance = 1e-2;
   int max_iterations = 1000;
   std::optional<Choice<LinearSolver>> preconditioner = Choice<LinearSolver>("strand_cholesky");
