@@ -131,7 +131,7 @@ class BatchCoupling final : public CouplingEnergy {
 
   KernelDerivatives<Kernel> element_;
   std::vector<std::array<int, K>> tuples_;
-  std::vector<Rest<Pack>> batches_;
+  StreamedVector<Rest<Pack>> batches_;
 };
 
 /// The parameters of a kernel and its filter, one flat object in a scene.

@@ -36,7 +36,7 @@ class BatchEnergy final : public Energy, public ElementFunction, public HoldingE
 
   void bind(const Strands& strands, const StrandGroups& groups) override {
     groups_ = &groups;
-    rest_.resize(groups.rows());
+    rest_.assign(groups.rows(), Rest<Pack>{});
     std::vector<Eigen::Vector3d> positions(strands.vertex_count());
     for (int v = 0; v < strands.vertex_count(); ++v) positions[v] = strands.rest_position(v);
     const VertexField field = positions_with_pads(groups, positions);
@@ -291,7 +291,7 @@ class BatchEnergy final : public Energy, public ElementFunction, public HoldingE
   KernelDerivatives<Kernel> element_;
   Evaluation evaluation_;
   const StrandGroups* groups_ = nullptr;
-  std::vector<Rest<Pack>> rest_;
+  StreamedVector<Rest<Pack>> rest_;
 };
 
 /// The parameters of a kernel and those of its batch, one flat object in a scene.

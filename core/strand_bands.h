@@ -58,7 +58,7 @@ class StrandBands {
 
  private:
   const StrandGroups* groups_ = nullptr;
-  std::vector<Matrix3<Pack>> blocks_;
+  StreamedVector<Matrix3<Pack>> blocks_;
 };
 
 /// y += A x for the strands of one group.

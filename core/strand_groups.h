@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/huge_pages.h"
 #include "core/lanes.h"
 #include "core/strands.h"
 
@@ -48,9 +49,9 @@ class StrandGroups {
   void add_groups(const Strands& strands, std::span<const int> order);
 
   std::vector<StrandGroup> groups_;
-  std::vector<LaneSlot> slots_;
+  StreamedVector<LaneSlot> slots_;
   std::vector<int> group_of_row_;
-  std::vector<int> vertex_at_;
+  StreamedVector<int> vertex_at_;
   int rows_ = 0;
 };
 

@@ -12,7 +12,7 @@
 namespace ringlet {
 
 /// A number a vertex in lane order, one pack a row.
-using VertexScalars = std::vector<Pack>;
+using VertexScalars = StreamedVector<Pack>;
 
 /// A 3-vector a vertex (positions, velocities, gradients, ...) in lane order.
 class VertexField {
@@ -52,7 +52,7 @@ class VertexField {
 
  private:
   const StrandGroups* groups_ = nullptr;
-  std::vector<Vector3<Pack>, HugePages<Vector3<Pack>>> rows_;
+  StreamedVector<Vector3<Pack>> rows_;
 };
 
 /// The i-th vertex of the benign helix that pads stand on, m.

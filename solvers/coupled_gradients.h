@@ -34,7 +34,7 @@ class CoupledGradients {
   std::size_t bytes() const;
 
  private:
-  using Vectors = std::vector<Vector3<double>, HugePages<Vector3<double>>>;
+  using Vectors = StreamedVector<Vector3<double>>;
 
   double squared_norm(const VertexField& b, const VertexField& x);
   double begin(const VertexField& x);
@@ -55,7 +55,7 @@ class CoupledGradients {
   GroupSum sum_;
   // r, z = B^-1 r, p, B p, C p, and the sum of alpha B p, at the coupled vertices.
   Vectors residual_, preconditioned_, direction_, band_product_, coupling_product_, right_side_;
-  std::vector<LaneSlot> slots_;  // where they stand in the rows of their group
+  StreamedVector<LaneSlot> slots_;  // where they stand in the rows of their group
   tbb::enumerable_thread_specific<std::vector<Vector3<Pack>>> temporary_;
 };
 

@@ -33,7 +33,7 @@ class KeptFactors {
 
  private:
   template <class Stored>
-  using Rows = std::vector<FactorRow<Stored>, HugePages<FactorRow<Stored>>>;
+  using Rows = StreamedVector<FactorRow<Stored>>;
 
   std::span<FactorRow<SinglePack>> rounded(int group);
   bool is_close(std::span<const FactorRow<SinglePack>> factor, std::span<const Vector3<Pack>> b,
