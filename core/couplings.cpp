@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "core/parallel.h"
 
@@ -13,21 +14,35 @@ constexpr int not_coupled = -1;
 constexpr int none = -1;
 /// The other edges that an edge feels lie anywhere in memory: they are fetched so many terms ahead.
 constexpr std::size_t prefetched = 8;
+/// Terms that a thread sorts in one go.
+constexpr int terms_a_block = 4096;
+
+void prefetch(const CouplingTerm& term) {
+  constexpr std::size_t cache_line = 64;
+  const char* bytes = reinterpret_cast<const char*>(&term);
+  for (std::size_t n = 0; n < sizeof(term); n += cache_line) __builtin_prefetch(bytes + n);
+}
 
 }  // namespace
 
 void Couplings::clear() {
   terms_.clear();
   tuples_.clear();
-  for (OfGroup& group : of_group_) {
-    group.parts.clear();
-    group.felt.clear();
+  parallel_for_each(static_cast<int>(of_group_.size()), [&](int g) {
+    for (const int vertex : coupled(g)) place_[vertex] = not_coupled;
+    OfGroup& group = of_group_[g];
+    group.part_count = group.felt_count = 0;
     group.tuple_parts.clear();
     group.blocks.clear();
     group.first_coupled = group.coupled_count = 0;
-  }
-  for (const int vertex : coupled_) place_[vertex] = not_coupled;
+  });
   coupled_.clear();
+}
+
+/// The term of a part. Fetches that of a later one: they lie anywhere in memory.
+inline const CouplingTerm& Couplings::term_of(std::span<const Part> parts, std::size_t n) const {
+  if (n + prefetched < parts.size()) prefetch(terms_[parts[n + prefetched].term]);
+  return terms_[parts[n].term];
 }
 
 std::span<CouplingTerm> Couplings::append(int count) {
@@ -67,7 +82,8 @@ void Couplings::finish(const VertexScalars& free) {
   coupled_.resize(count);
   parallel_for_each(groups_->count(), [&](int g) { number_coupled(g); });
   parallel_for_each(groups_->count(), [&](int g) {
-    for (Felt& felt : of_group_[g].felt) {
+    const OfGroup& group = of_group_[g];
+    for (Felt& felt : std::span(felt_).subspan(group.first_part, group.felt_count)) {
       for (int& vertex : felt.rows) vertex = place_[vertex];
       for (int& vertex : felt.columns) vertex = place_[vertex];
     }
@@ -78,14 +94,46 @@ void Couplings::finish(const VertexScalars& free) {
   });
 }
 
+/// A counting sort.
 void Couplings::distribute() {
-  const int count = static_cast<int>(terms_.size());
+  const int count = static_cast<int>(terms_.size()), groups = groups_->count();
+  const int blocks = (count + terms_a_block - 1) / terms_a_block;
   split_.resize(count);
-  parallel_for_each(count, [&](int t) { split_[t] = split(terms_[t]); });
-  for (int t = 0; t < count; ++t) {
+  begins_.assign(blocks * groups, 0);
+  parallel_for_each(blocks, [&](int block) {
+    const int end = std::min(count, (block + 1) * terms_a_block);
+    for (int t = block * terms_a_block; t < end; ++t) split_[t] = split(terms_[t]);
+    for_each_part(block, [&](int g, const Part&) { ++begins_[block * groups + g]; });
+  });
+  parallel_for_each(groups, [&](int g) {
+    int parts = 0;
+    for (int block = 0; block < blocks; ++block) {
+      parts += std::exchange(begins_[block * groups + g], parts);
+    }
+    of_group_[g].part_count = parts;
+  });
+  int parts = 0;
+  for (OfGroup& group : of_group_) {
+    group.first_part = parts;
+    parts += group.part_count;
+  }
+  parts_.resize(parts);
+  felt_.resize(parts);
+  parallel_for_each(blocks, [&](int block) {
+    for_each_part(block, [&](int g, const Part& part) {
+      parts_[of_group_[g].first_part + begins_[block * groups + g]++] = part;
+    });
+  });
+}
+
+/// visit(group, part) for those of the terms of a block, in their order.
+template <class Visit>
+void Couplings::for_each_part(int block, const Visit& visit) const {
+  const int end = std::min(static_cast<int>(terms_.size()), (block + 1) * terms_a_block);
+  for (int t = block * terms_a_block; t < end; ++t) {
     const auto [whole, first, second] = split_[t];
-    if (first != none) of_group_[first].parts.push_back({t, 0, whole ? 4 : 2});
-    if (second != none) of_group_[second].parts.push_back({t, 2, 4});
+    if (first != none) visit(first, Part{t, 0, whole ? 4 : 2});
+    if (second != none) visit(second, Part{t, 2, 4});
   }
 }
 
@@ -147,17 +195,20 @@ void Couplings::find_blocks(int g, const VertexScalars& free) {
 /// Leaves the numbers of vertices in rows and columns, and marks the places of the rows.
 void Couplings::find_felt(int g, const VertexScalars& free) {
   OfGroup& group = of_group_[g];
-  for (const auto& [t, first, end] : group.parts) {
-    if (end - first == 4) continue;
-    const CouplingTerm& term = terms_[t];
+  const std::span<const Part> parts = parts_of(group);
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    const CouplingTerm& term = term_of(parts, n);
+    const int first = parts[n].first;
+    if (parts[n].end - first == 4) continue;
     const FreeEnd row = free_end(term, first, free), column = free_end(term, 2 - first, free);
     if (!row.has_weight() || !column.has_weight()) continue;
     const Eigen::Matrix3d& c = term.curvature;
-    group.felt.push_back({row.vertices,
-                          column.vertices,
-                          row.weights,
-                          column.weights,
-                          {c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2)}});
+    felt_[group.first_part + group.felt_count++] = {
+        row.vertices,
+        column.vertices,
+        row.weights,
+        column.weights,
+        {c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2)}};
     for (const int vertex : row.vertices) mark(g, vertex);
   }
 }
@@ -210,9 +261,10 @@ void Couplings::add_gradient(int group, std::span<Vector3<Pack>> rows) const {
     target.y[lane] = target.y[lane] + gradient.y();
     target.z[lane] = target.z[lane] + gradient.z();
   };
-  for (const auto& [t, first, end] : of_group_[group].parts) {
-    const CouplingTerm& term = terms_[t];
-    for (int i = first; i < end; ++i) {
+  const std::span<const Part> parts = parts_of(of_group_[group]);
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    const CouplingTerm& term = term_of(parts, n);
+    for (int i = parts[n].first; i < parts[n].end; ++i) {
       if (term.weights[i] == 0) continue;
       add_force(term.vertices[i], term.weights[i] * term.gradient);
     }
@@ -227,10 +279,11 @@ void Couplings::add_gradient(int group, std::span<Vector3<Pack>> rows) const {
 
 void Couplings::add_to_bands(int group, GroupBands bands) const {
   const int first_row = (*groups_)[group].first_row;
-  for (const auto& [t, first, end] : of_group_[group].parts) {
-    const CouplingTerm& term = terms_[t];
-    for (int i = first; i < end; ++i) {
-      for (int j = first; j <= i; ++j) {
+  const std::span<const Part> parts = parts_of(of_group_[group]);
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    const CouplingTerm& term = term_of(parts, n);
+    for (int i = parts[n].first; i < parts[n].end; ++i) {
+      for (int j = parts[n].first; j <= i; ++j) {
         const double weight = term.weights[i] * term.weights[j];
         if (weight == 0) continue;
         const LaneSlot a = groups_->slot(term.vertices[i]), b = groups_->slot(term.vertices[j]);
@@ -276,7 +329,7 @@ void Couplings::multiply(int group, std::span<const Vector3<double>> x,
                          std::span<Vector3<double>> y) const {
   std::fill(y.begin(), y.end(), Vector3<double>{0, 0, 0});
   const int first = of_group_[group].first_coupled;
-  const std::span<const Felt> all = of_group_[group].felt;
+  const std::span<const Felt> all = felt_of(of_group_[group]);
   for (std::size_t n = 0; n < all.size(); ++n) {
     const Felt& felt = all[n];
     if (n + prefetched < all.size()) __builtin_prefetch(&x[all[n + prefetched].columns[0]]);
@@ -290,7 +343,7 @@ void Couplings::multiply(int group, std::span<const Vector3<double>> x,
 
 void Couplings::add_product(int group, const VertexField& x, VertexField& y) const {
   const auto at = [&](int place) { return from_eigen(x.get(coupled_[place])); };
-  for (const Felt& felt : of_group_[group].felt) {
+  for (const Felt& felt : felt_of(of_group_[group])) {
     const Vector3<double> force = felt.force(felt.column_weights[0] * at(felt.columns[0]) +
                                              felt.column_weights[1] * at(felt.columns[1]));
     for (int i = 0; i < 2; ++i) {
@@ -303,11 +356,11 @@ void Couplings::add_product(int group, const VertexField& x, VertexField& y) con
 }
 
 std::size_t Couplings::bytes() const {
-  std::size_t sum = bytes_of(terms_) + bytes_of(tuples_) + bytes_of(split_) + bytes_of(of_group_) +
-                    bytes_of(coupled_) + bytes_of(place_);
+  std::size_t sum = bytes_of(terms_) + bytes_of(tuples_) + bytes_of(split_) + bytes_of(begins_) +
+                    bytes_of(parts_) + bytes_of(felt_) + bytes_of(of_group_) + bytes_of(coupled_) +
+                    bytes_of(place_);
   for (const OfGroup& group : of_group_) {
-    sum += bytes_of(group.parts) + bytes_of(group.felt) + bytes_of(group.tuple_parts) +
-           bytes_of(group.blocks);
+    sum += bytes_of(group.tuple_parts) + bytes_of(group.blocks);
   }
   return sum;
 }

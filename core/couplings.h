@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/huge_pages.h"
 #include "core/strand_bands.h"
 #include "core/vertex_field.h"
 
@@ -48,7 +49,7 @@ class Couplings {
   void clear();
   void add(const CouplingTerm& term) { terms_.push_back(term); }
   void add(const TupleTerm& term) { tuples_.push_back(term); }
-  /// Appends terms that the caller writes; valid until more are added.
+  /// Appends terms that the caller writes, every member; valid until more are added.
   std::span<CouplingTerm> append(int count);
   /// Sorts what was added; call once after the last term. What one edge feels of another one leaves
   /// pinned vertices out: free is 1 for a free vertex and 0 for a pinned one.
@@ -64,7 +65,7 @@ class Couplings {
 
   /// Whether an edge of the group feels another one beyond the bands.
   bool touches(int group) const {
-    return !of_group_[group].felt.empty() || !of_group_[group].blocks.empty();
+    return of_group_[group].felt_count > 0 || !of_group_[group].blocks.empty();
   }
   /// The vertices that are coupled beyond the bands, one group after the other.
   int coupled_count() const { return static_cast<int>(coupled_.size()); }
@@ -87,7 +88,7 @@ class Couplings {
   template <class Visit>
   void for_each_off_band(const Visit& visit) const {
     for (const OfGroup& group : of_group_) {
-      for (const Felt& felt : group.felt) {
+      for (const Felt& felt : felt_of(group)) {
         for (int a = 0; a < 2; ++a) {
           for (int b = 0; b < 2; ++b) {
             const double weight = felt.row_weights[a] * felt.column_weights[b];
@@ -142,8 +143,8 @@ class Couplings {
     int first_group, second_group;
   };
   struct OfGroup {
-    std::vector<Part> parts;
-    std::vector<Felt> felt;
+    /// In the parts of all groups, and as many places for what is felt.
+    int first_part = 0, part_count = 0, felt_count = 0;
     std::vector<TuplePart> tuple_parts;
     std::vector<Block> blocks;
     int first_coupled = 0, coupled_count = 0, first_coupled_row = 0;
@@ -156,9 +157,18 @@ class Couplings {
     bool has_weight() const { return weights[0] != 0 || weights[1] != 0; }
   };
 
+  std::span<const Part> parts_of(const OfGroup& group) const {
+    return std::span(parts_).subspan(group.first_part, group.part_count);
+  }
+  std::span<const Felt> felt_of(const OfGroup& group) const {
+    return std::span(felt_).subspan(group.first_part, group.felt_count);
+  }
+  const CouplingTerm& term_of(std::span<const Part> parts, std::size_t n) const;
   bool is_one_part(const CouplingTerm& term) const;
   bool fit_into_band(int i, int j) const;
   void distribute();
+  template <class Visit>
+  void for_each_part(int block, const Visit& visit) const;
   void distribute(int tuple);
   bool fits(const TupleTerm& term, const TuplePart& part, int member) const;
   void find_blocks(int group, const VertexScalars& free);
@@ -171,10 +181,13 @@ class Couplings {
   void number_coupled(int group);
 
   const StrandGroups* groups_ = nullptr;
-  std::vector<CouplingTerm> terms_;
+  StreamedVector<CouplingTerm> terms_;
   std::vector<TupleTerm> tuples_;
-  std::vector<Split> split_;  ///< of each term
+  StreamedVector<Split> split_;  ///< of each term
+  std::vector<int> begins_;      ///< of the parts of each block of terms in each group
   std::vector<OfGroup> of_group_;
+  StreamedVector<Part> parts_;  ///< one group after the other
+  StreamedVector<Felt> felt_;   ///< of a group from its first part on, none of what is whole
   std::vector<int> coupled_;
   std::vector<int> place_;  ///< of each vertex among these; -1: none
 };
