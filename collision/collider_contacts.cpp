@@ -68,10 +68,9 @@ double ColliderContacts::free_part(std::span<const Eigen::Vector3d> from,
 }
 
 void ColliderContacts::carry_what_is_hit(std::span<const Eigen::Vector3d> start,
-                                         std::span<Eigen::Vector3d> to,
-                                         const Movement& movement) const {
+                                         std::span<Eigen::Vector3d> to) const {
   for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
-    const std::vector<int> reachable = find_reachable(c, start, to, movement);
+    const std::vector<int> reachable = find_reachable(c, start, to);
     parallel_for_each(static_cast<int>(reachable.size()), [&](int n) {
       const int v = reachable[n];
       const Eigen::Vector3d carried = since_begin_[c] * start[v];
@@ -81,11 +80,11 @@ void ColliderContacts::carry_what_is_hit(std::span<const Eigen::Vector3d> start,
 }
 
 double ColliderContacts::free_part_of_step(std::span<const Eigen::Vector3d> start,
-                                           std::span<const Eigen::Vector3d> to, const KeptGap& kept,
-                                           const Movement& movement) const {
+                                           std::span<const Eigen::Vector3d> to,
+                                           const KeptGap& kept) const {
   double least = 1;
   for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
-    const std::vector<int> reachable = find_reachable(c, start, to, movement);
+    const std::vector<int> reachable = find_reachable(c, start, to);
     std::vector<double> parts(reachable.size() + 1, 1);
     parallel_for_each(static_cast<int>(reachable.size()), [&](int n) {
       const int v = reachable[n];
@@ -99,13 +98,12 @@ double ColliderContacts::free_part_of_step(std::span<const Eigen::Vector3d> star
 // The free vertices that may meet a collider in a step: if none has used up the margin, candidates.
 std::vector<int> ColliderContacts::find_reachable(int collider,
                                                   std::span<const Eigen::Vector3d> start,
-                                                  std::span<const Eigen::Vector3d> to,
-                                                  const Movement& movement) const {
+                                                  std::span<const Eigen::Vector3d> to) const {
   std::vector<int> reachable;
-  if (movement.has_started()) {
+  if (movement_.has_started()) {
     const Eigen::Isometry3d motion = placements_[collider] * detected_[collider].inverse();
-    if (movement.is_within(margin_, to, motion) &&
-        movement.is_within(margin_, start, since_begin_[collider].inverse() * motion)) {
+    if (movement_.is_within(margin_, to, motion) &&
+        movement_.is_within(margin_, start, since_begin_[collider].inverse() * motion)) {
       for (int n = 0; n < candidate_count(); ++n) {
         if (collider_of_[n] == collider) reachable.push_back(vertices_[n]);
       }
@@ -174,17 +172,26 @@ void ColliderContacts::find_near(int collider, const EdgeChunk& chunk, bool free
 }
 
 // A distance to a collider changes by no more than the vertex moves in the collider's frame.
-bool ColliderContacts::are_valid(std::span<const Eigen::Vector3d> positions,
-                                 const Movement& movement) const {
+bool ColliderContacts::are_valid(std::span<const Eigen::Vector3d> positions) const {
+  if (!colliders_.empty() && !movement_.has_started()) return false;
   for (std::size_t c = 0; c < colliders_.size(); ++c) {
     const Eigen::Isometry3d motion = placements_[c] * detected_[c].inverse();
-    if (!movement.is_within(margin_, positions, motion)) return false;
+    if (!movement_.is_within(margin_, positions, motion)) return false;
   }
   return true;
 }
 
-void ColliderContacts::detect(std::span<const Eigen::Vector3d> positions,
-                              std::optional<double> margin) {
+void ColliderContacts::detect(std::span<const Eigen::Vector3d> positions) {
+  collect(positions, margin_);
+  if (!colliders_.empty()) movement_.start_from(positions);
+}
+
+void ColliderContacts::detect_on_way(std::span<const Eigen::Vector3d> positions, double margin) {
+  collect(positions, margin);
+  movement_ = {};
+}
+
+void ColliderContacts::collect(std::span<const Eigen::Vector3d> positions, double margin) {
   detected_ = placements_;
   vertices_.clear();
   collider_of_.clear();
@@ -192,8 +199,7 @@ void ColliderContacts::detect(std::span<const Eigen::Vector3d> positions,
   near_.resize(chunks_->size());
   for (int c = 0; c < static_cast<int>(colliders_.size()); ++c) {
     parallel_for_each(static_cast<int>(chunks_->size()), [&](int n) {
-      find_near(c, (*chunks_)[n], true, positions, law_.thickness + margin.value_or(margin_),
-                near_[n]);
+      find_near(c, (*chunks_)[n], true, positions, law_.thickness + margin, near_[n]);
     });
     for (const std::vector<int>& part : near_) {
       if (part.empty()) continue;
@@ -237,8 +243,8 @@ void ColliderContacts::evaluate_batch(const Batch& batch, const VertexField& x,
 }
 
 std::size_t ColliderContacts::bytes() const {
-  std::size_t sum =
-      bytes_of(near_) + bytes_of(vertices_) + bytes_of(collider_of_) + bytes_of(batches_);
+  std::size_t sum = bytes_of(near_) + bytes_of(vertices_) + bytes_of(collider_of_) +
+                    bytes_of(batches_) + movement_.start().size_bytes();
   for (const auto& collider : colliders_) sum += collider->bytes();
   return sum;
 }

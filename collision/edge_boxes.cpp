@@ -28,6 +28,13 @@ void EdgeBoxes::refit() {
   }
 }
 
+int EdgeBoxes::chunk_of(int edge) const {
+  const auto behind =
+      std::upper_bound(chunks_.begin(), chunks_.end(), edge,
+                       [](int searched, const EdgeChunk& chunk) { return searched < chunk.first; });
+  return static_cast<int>(behind - chunks_.begin()) - 1;
+}
+
 // Parts of the tree, which gives pairs of different chunks, and then those of chunks alone.
 int EdgeBoxes::part_count() const {
   const int chunks = static_cast<int>(chunks_.size());

@@ -154,8 +154,11 @@ void FclStage::find_candidates(const VertexField& x) {
   if (parameters_.detect == DetectWhen::step && !is_new_step_) return;
   is_new_step_ = false;
   gather(x);
-  const bool are_kept = parameters_.detect == DetectWhen::margin;
-  if (!are_kept || !are_candidates_valid(positions_, positions_)) collect_candidates();
+  if (parameters_.detect != DetectWhen::margin) {
+    collect_candidates();
+  } else if (!are_candidates_valid(positions_, positions_)) {
+    collect_missing_candidates(positions_);
+  }
 }
 
 void FclStage::gather(const VertexField& x) {
@@ -164,20 +167,29 @@ void FclStage::gather(const VertexField& x) {
 
 bool FclStage::are_candidates_valid(std::span<const Eigen::Vector3d> from,
                                     std::span<const Eigen::Vector3d> to) const {
-  if (!movement_.has_started()) return false;
-  if (strand_contacts_ &&
-      !strand_contacts_->are_valid(from, to, parameters_.thickness, movement_)) {
+  if (strand_contacts_ && !strand_contacts_->are_valid(from, to, parameters_.thickness)) {
     return false;
   }
-  return collider_contacts_.are_valid(to, movement_) &&
-         (from.data() == to.data() || collider_contacts_.are_valid(from, movement_));
+  return collider_contacts_.are_valid(to) &&
+         (from.data() == to.data() || collider_contacts_.are_valid(from));
 }
 
 void FclStage::collect_candidates() {
   is_evaluated_ = false;
-  movement_.start_from(positions_);
   if (strand_contacts_) strand_contacts_->detect(positions_);
   collider_contacts_.detect(positions_);
+}
+
+// For a way from the positions.
+void FclStage::collect_missing_candidates(std::span<const Eigen::Vector3d> to) {
+  if (strand_contacts_ && !strand_contacts_->are_valid(positions_, to, parameters_.thickness) &&
+      strand_contacts_->detect_moved(positions_, to)) {
+    is_evaluated_ = false;
+  }
+  if (!collider_contacts_.are_valid(positions_) || !collider_contacts_.are_valid(to)) {
+    collider_contacts_.detect(positions_);
+    is_evaluated_ = false;
+  }
 }
 
 // A line search ends where the next iteration begins.
@@ -228,17 +240,16 @@ void FclStage::end_step(const VertexField& x) {
 bool FclStage::can_reach(const VertexField& x_n, VertexField& guess) {
   if (!response_->is_barrier()) return true;
   gather(x_n);
-  std::vector<Eigen::Vector3d> start = positions_;
+  std::vector<Eigen::Vector3d> start(positions_.begin(), positions_.end());
   gather(guess);
-  collider_contacts_.carry_what_is_hit(start, positions_, movement_);
+  collider_contacts_.carry_what_is_hit(start, positions_);
   for (std::size_t v = 0; v < start.size(); ++v) guess.set(static_cast<int>(v), positions_[v]);
-  if (collider_contacts_.free_part_of_step(start, positions_, {vanishing}, movement_) < 1) {
+  if (collider_contacts_.free_part_of_step(start, positions_, {vanishing}) < 1) {
     return false;
   }
   if (!strand_contacts_) return true;
   bring_to(positions_, start);
-  if (!movement_.has_started() || !strand_contacts_->are_valid(start, positions_, 0, movement_)) {
-    movement_ = {};
+  if (!strand_contacts_->are_valid(start, positions_, 0)) {
     is_evaluated_ = false;
     strand_contacts_->detect_on_way(start, positions_, 0);
   }
@@ -260,12 +271,11 @@ double FclStage::step_limit(const VertexField& x, const VertexField& d) {
 // Afterwards all that comes nearer than the thickness on a straight way is a candidate.
 void FclStage::find_candidates_of_way(std::span<const Eigen::Vector3d> to) {
   if (are_candidates_valid(positions_, to)) return;
-  collect_candidates();
+  collect_missing_candidates(to);
   if (are_candidates_valid(positions_, to)) return;
-  movement_ = {};
   is_evaluated_ = false;
   if (strand_contacts_) strand_contacts_->detect_on_way(positions_, to, parameters_.thickness);
-  collider_contacts_.detect(positions_, longest_distance(positions_, to));
+  collider_contacts_.detect_on_way(positions_, longest_distance(positions_, to));
   is_swept_ = true;
 }
 

@@ -74,6 +74,7 @@ class FclStage final : public CollisionStage {
   void find_candidates(const VertexField& x);
   void find_candidates_of_way(std::span<const Eigen::Vector3d> to);
   void collect_candidates();
+  void collect_missing_candidates(std::span<const Eigen::Vector3d> to);
   void gather(const VertexField& x);
   void follow(const VertexField& x);
   void evaluate(const VertexField& x);
@@ -88,8 +89,7 @@ class FclStage final : public CollisionStage {
   std::vector<EdgeChunk> chunks_;
   bool is_new_step_ = true;
   bool is_swept_ = false;                           // candidates are those of the way that led here
-  Movement movement_;                               // since candidates were collected
-  std::vector<Eigen::Vector3d> positions_;          // of the last detect()
+  StreamedVector<Eigen::Vector3d> positions_;       // of the last detect()
   Touching touching_strands_, touching_colliders_;  // at the positions of the last evaluate()
   VertexField evaluated_;                           // these positions
   bool is_evaluated_ = false;                       // of the candidates as they are now

@@ -30,13 +30,19 @@ Eigen::Isometry3d Movement::rigid_part(std::span<const Eigen::Vector3d> position
   return Eigen::Isometry3d(Eigen::umeyama(from, to, false));
 }
 
-bool Movement::is_within(double distance, std::span<const Eigen::Vector3d> positions,
-                         const Eigen::Isometry3d& motion) const {
-  const std::size_t parts = (positions.size() + part_size - 1) / part_size;
-  std::atomic<bool> within = true;
+template <class Body>
+void Movement::for_each_stretch(const Body& body) const {
+  const std::size_t parts = (start_.size() + part_size - 1) / part_size;
   parallel_for_each(static_cast<int>(parts), [&](int part) {
     const std::size_t begin = part * part_size;
-    const std::size_t end = std::min(begin + part_size, positions.size());
+    body(begin, std::min(begin + part_size, start_.size()));
+  });
+}
+
+bool Movement::is_within(double distance, std::span<const Eigen::Vector3d> positions,
+                         const Eigen::Isometry3d& motion) const {
+  std::atomic<bool> within = true;
+  for_each_stretch([&](std::size_t begin, std::size_t end) {
     bool all = true;
     for (std::size_t v = begin; v < end; ++v) {
       all &= (positions[v] - motion * start_[v]).squaredNorm() <= distance * distance;
@@ -44,6 +50,28 @@ bool Movement::is_within(double distance, std::span<const Eigen::Vector3d> posit
     if (!all) within = false;
   });
   return within;
+}
+
+std::vector<int> Movement::beyond(double distance, std::span<const Eigen::Vector3d> positions,
+                                  const Eigen::Isometry3d& motion) const {
+  std::vector<char> is_beyond(positions.size());
+  for_each_stretch([&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      // True of what is not a number, too.
+      is_beyond[v] = !((positions[v] - motion * start_[v]).squaredNorm() <= distance * distance);
+    }
+  });
+  std::vector<int> points;
+  for (std::size_t v = 0; v < is_beyond.size(); ++v) {
+    if (is_beyond[v] != 0) points.push_back(static_cast<int>(v));
+  }
+  return points;
+}
+
+void Movement::restart(std::span<const int> points, std::span<const Eigen::Vector3d> positions,
+                       const Eigen::Isometry3d& motion) {
+  const Eigen::Isometry3d back = motion.inverse();
+  for (const int point : points) start_[point] = back * positions[point];
 }
 
 void bring_to(std::span<const Eigen::Vector3d> end, std::vector<Eigen::Vector3d>& start) {

@@ -29,13 +29,17 @@ class StrandContacts {
 
   /// Collects the pairs nearer than the thickness and the margin as candidates.
   void detect(std::span<const Eigen::Vector3d> positions);
-  /// Collects those that come nearer than reach, m, as all vertices move along straight lines.
+  /// The same where candidates have become invalid, for a way from some positions to others: if few
+  /// vertices have moved far, only around them. Returns whether contacts that evaluate() found at
+  /// the first positions may not be all.
+  bool detect_moved(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to);
+  /// Collects those that come nearer than reach, m, as all vertices move along straight lines; they
+  /// are valid for that alone.
   void detect_on_way(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
                      double reach);
-  /// Whether all pairs that come nearer than reach on a way are candidates. movement: since the
-  /// last detect().
+  /// Whether all pairs that come nearer than reach on a way are candidates.
   bool are_valid(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
-                 double reach, const Movement& movement) const;
+                 double reach) const;
   /// The part of a way along which a part of the gap of each candidate is left; see
   /// free_part_of_pairs().
   double free_part(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to,
@@ -48,6 +52,8 @@ class StrandContacts {
   ContinuousDetection* continuous() { return continuous_ ? &*continuous_ : nullptr; }
 
  private:
+  std::vector<int> edges_of(std::span<const int> vertices) const;
+  std::vector<EdgePair> replace_pairs_with(std::span<const int> edges);
   void limit_thickness();
   double stiffness_of(int pair) const;
   /// Of count candidate pairs from the first on, no more than there are lanes.
@@ -55,13 +61,16 @@ class StrandContacts {
                     std::vector<Touching::Found>& found) const;
 
   Parameters parameters_;
+  const Strands& strands_;
   const ContactEnergy& response_;
   ContactRule rule_;
   std::unique_ptr<ContactDetector> detector_;
   std::optional<RestPairs> rest_pairs_;
   std::optional<ContinuousDetection> continuous_;
-  std::vector<EdgePair> pairs_;    // candidates
-  std::vector<double> thickness_;  // of each
+  Movement movement_;                   // since candidates were collected
+  std::vector<EdgePair> pairs_;         // candidates
+  std::vector<double> thickness_;       // of each
+  std::vector<EdgePair> found_, kept_;  // for the memory alone
 };
 
 }  // namespace ringlet

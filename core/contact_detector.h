@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,18 @@ class ContactDetector : public Named {
   /// detectors differ in nothing but speed.
   virtual void find(std::span<const Eigen::Vector3d> positions, double reach,
                     std::vector<EdgePair>& pairs) = 0;
+  /// The same, but only those of the pairs in which one of these edges is; sorted. Since the last
+  /// call of either function, with the same reach, no vertices have moved but theirs: a detector
+  /// may then have less to look at.
+  virtual void find_with(std::span<const int> edges, std::span<const Eigen::Vector3d> positions,
+                         double reach, std::vector<EdgePair>& pairs) {
+    find(positions, reach, pairs);
+    const auto is_one = [&](int edge) {
+      return std::binary_search(edges.begin(), edges.end(), edge);
+    };
+    std::erase_if(
+        pairs, [&](const EdgePair& pair) { return !is_one(pair.first) && !is_one(pair.second); });
+  }
 };
 
 }  // namespace ringlet

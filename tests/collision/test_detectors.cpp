@@ -209,6 +209,42 @@ TEST_CASE("detectors follow strands wherever they go") {
   }
 }
 
+TEST_CASE("of edges that moved alone, detectors find the pairs of brute force") {
+  const auto name = GENERATE("fcl", "grid");
+  const unsigned seed = 13;
+  CAPTURE(name, seed);
+  Random random(seed);
+  const Strands strands = random_bundle(random, 200);
+  const auto detector = make_detector(name, strands);
+  Points x = rest_positions(strands);
+  const double reach = 1.5e-3;
+  std::vector<EdgePair> found;
+  detector->find(x, reach, found);
+  std::size_t near = 0;
+  for (int move = 0; move < 20; ++move) {
+    // Some to the other end of the bundle, some by little; neighbours among them.
+    std::vector<int> edges;
+    for (int n = integer(random, 0, 8); n > 0; --n) {
+      const int v = integer(random, 0, strands.vertex_count() - 1), strand = strands.strand_of(v);
+      x[v] = integer(random, 0, 1) == 0 ? random_point(random, 0.02)
+                                        : Eigen::Vector3d(x[v] + random_point(random, 1e-3));
+      if (v > strands.first(strand)) edges.push_back(v - 1);
+      if (v + 1 < strands.first(strand) + strands.size(strand)) edges.push_back(v);
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    auto expected = all_near_pairs(strands, x, reach);
+    std::erase_if(expected, [&](const EdgePair& pair) {
+      return !std::binary_search(edges.begin(), edges.end(), pair.first) &&
+             !std::binary_search(edges.begin(), edges.end(), pair.second);
+    });
+    detector->find_with(edges, x, reach, found);
+    REQUIRE(found == expected);
+    near += found.size();
+  }
+  CHECK(near > 100);
+}
+
 TEST_CASE("detectors survive what is not finite") {
   const auto name = GENERATE("fcl", "grid");
   CAPTURE(name);

@@ -23,6 +23,12 @@ TEST_CASE("a rigid motion of all points is no movement, that of a single point i
   moved[4321] += Eigen::Vector3d(0, 0, 1e-3);
   CHECK(!movement.is_within(0.9e-3, moved, turn));
   CHECK(movement.is_within(1.1e-3, moved, turn));
+
+  moved[17] += Eigen::Vector3d(2e-3, 0, 0);
+  moved[18].x() = std::numeric_limits<double>::quiet_NaN();
+  CHECK(movement.beyond(0.9e-3, moved, turn) == std::vector<int>{17, 18, 4321});
+  movement.restart(std::vector<int>{17, 4321}, moved, turn);
+  CHECK(movement.beyond(1e-10, moved, turn) == std::vector<int>{18});
 }
 
 TEST_CASE("the rigid part of a movement of few points, or of none, is a rigid motion") {
