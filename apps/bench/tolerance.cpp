@@ -56,7 +56,7 @@ void bench_tolerance(const Registry& registry, const BenchOptions& options, Benc
   with_threads(options.threads, [&] {
     const double length = strand_length(registry);
     const Outcome exact = run_hairball(registry, options, tight);
-    for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, tight}) {
+    for (const double tolerance : {1e-1, 3e-2, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, tight}) {
       const Outcome outcome =
           tolerance == tight ? exact : run_hairball(registry, options, tolerance);
       const Eigen::VectorXd errors =
