@@ -13,8 +13,8 @@ namespace ringlet {
 
 /// An allocator for arrays that are streamed through: in huge pages, where the system has them and
 /// the array fills a quarter of one, so that reading waits less for page tables (a fifth of the
-/// time of a substitution with factors that no cache holds, a quarter of that of a step without
-/// contacts on a virtual machine).
+/// time of a substitution with factors that no cache holds; of a step without contacts 3 %, but a
+/// third where others use the memory of the same machine).
 template <class T>
 class HugePages {
  public:
