@@ -201,11 +201,26 @@ class BatchEnergy final : public Energy, public ElementFunction, public HoldingE
   template <Filter filter>
   [[gnu::flatten]] Pack add_derivatives(const Rest<Pack>* rest, std::span<const Vector3<Pack>> x,
                                         EdgeOutputs outputs) const {
+    const int count = static_cast<int>(x.size()) - K + 1;
+    const auto outputs_of = [&](int i) {
+      return ElementOutputs<Pack, K>(&outputs.gradient[i], &outputs.hessian.block(i, 0));
+    };
     Pack energy = 0;
-    for (int i = 0; i + K <= static_cast<int>(x.size()); ++i) {
-      energy += element_.template evaluate_kernel<filter>(
-          window(x, i), rest[i],
-          ElementOutputs<Pack, K>(&outputs.gradient[i], &outputs.hessian.block(i, 0)));
+    if constexpr (GeometricKernel<Kernel>) {
+      if (count <= 0) return energy;
+      // An element has more instructions than a processor looks ahead, and its geometry is a chain
+      // of roots and quotients: that of the next one is computed while this one's is waited for.
+      const auto geometry = [&](int i) { return kernel().geometry(window(x, i), rest[i]); };
+      auto next = geometry(0);
+      for (int i = 0; i < count; ++i) {
+        const auto own = next;
+        next = geometry(std::min(i + 1, count - 1));
+        energy += kernel().evaluate(own, rest[i], filter, outputs_of(i));
+      }
+    } else {
+      for (int i = 0; i < count; ++i) {
+        energy += element_.template evaluate_kernel<filter>(window(x, i), rest[i], outputs_of(i));
+      }
     }
     return energy;
   }

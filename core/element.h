@@ -4,6 +4,7 @@
 #include <concepts>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "core/edge_derivatives.h"
 #include "core/elementary.h"
@@ -76,31 +77,43 @@ class ElementOutputs {
   /// result is written.
   template <std::size_t N>
   void add_hessian(const std::array<RankOne<S, K>, N>& terms) const {
-    using V = Vector3<S>;
-    for (int row = 0; row < K - 1; ++row) {
-      std::array<V, N> scaled;
-      for (std::size_t t = 0; t < N; ++t) scaled[t] = terms[t].weight * terms[t].q[row];
-      const auto add_entry = [&](int m, S V::*i, S V::*j, int column) {
-        S sum = scaled[0].*i * terms[0].q[column].*j;
-        for (std::size_t t = 1; t < N; ++t) sum += scaled[t].*i * terms[t].q[column].*j;
-        block(row, column).m[m] += sum;
-      };
-      for (int column = 0; column <= row; ++column) {
-        const bool diagonal = column == row;
-        add_entry(0, &V::x, &V::x, column);
-        if (!diagonal) add_entry(1, &V::x, &V::y, column);
-        if (!diagonal) add_entry(2, &V::x, &V::z, column);
-        add_entry(3, &V::y, &V::x, column);
-        add_entry(4, &V::y, &V::y, column);
-        if (!diagonal) add_entry(5, &V::y, &V::z, column);
-        add_entry(6, &V::z, &V::x, column);
-        add_entry(7, &V::z, &V::y, column);
-        add_entry(8, &V::z, &V::z, column);
-      }
-    }
+    [&]<int... rows>(std::integer_sequence<int, rows...>) { (add_row<rows>(terms), ...); }
+    (std::make_integer_sequence<int, K - 1>());
   }
 
  private:
+  // Rows and columns are constants: what is left of loops here costs more than the sums.
+  template <int row, std::size_t N>
+  [[gnu::always_inline]] void add_row(const std::array<RankOne<S, K>, N>& terms) const {
+    std::array<Vector3<S>, N> scaled;
+    for (std::size_t t = 0; t < N; ++t) scaled[t] = terms[t].weight * terms[t].q[row];
+    [&]<int... columns>(std::integer_sequence<int, columns...>) {
+      (add_block<row, columns>(scaled, terms), ...);
+    }
+    (std::make_integer_sequence<int, row + 1>());
+  }
+  template <int row, int column, std::size_t N>
+  [[gnu::always_inline]] void add_block(const std::array<Vector3<S>, N>& scaled,
+                                        const std::array<RankOne<S, K>, N>& terms) const {
+    Matrix3<S>& target = block(row, column);
+    const auto add_entry = [&](int m, S Vector3<S>::*i, S Vector3<S>::*j) {
+      S sum = target.m[m];
+      for (std::size_t t = 0; t < N; ++t) sum += scaled[t].*i * terms[t].q[column].*j;
+      target.m[m] = sum;
+    };
+    using V = Vector3<S>;
+    constexpr bool is_diagonal = row == column;
+    add_entry(0, &V::x, &V::x);
+    if constexpr (!is_diagonal) add_entry(1, &V::x, &V::y);
+    if constexpr (!is_diagonal) add_entry(2, &V::x, &V::z);
+    add_entry(3, &V::y, &V::x);
+    add_entry(4, &V::y, &V::y);
+    if constexpr (!is_diagonal) add_entry(5, &V::y, &V::z);
+    add_entry(6, &V::z, &V::x);
+    add_entry(7, &V::z, &V::y);
+    add_entry(8, &V::z, &V::z);
+  }
+
   Vector3<S>* gradient_;
   Matrix3<S>* blocks_;
 };
@@ -179,10 +192,22 @@ concept UpdatedKernel = ValueKernel<Kernel> &&
   { kernel.update(x, rest, time) } -> std::same_as<typename Kernel::template Rest<double>>;
 };
 
+/// A closed-form kernel in two parts: `geometry` computes what value and derivatives follow from, a
+/// chain of operations that wait for each other. What belongs to several elements is computed
+/// faster in turn.
+template <class Kernel>
+concept GeometricKernel = ValueKernel<Kernel> &&
+    requires(const Kernel& kernel, const Stencil<double, Kernel::vertices>& x,
+             const typename Kernel::template Rest<double>& rest, Filter filter,
+             ElementOutputs<double, Kernel::vertices> outputs) {
+  { kernel.geometry(x, rest) } -> std::same_as<typename Kernel::template Geometry<double>>;
+  { kernel.evaluate(kernel.geometry(x, rest), rest, filter, outputs) } -> std::same_as<double>;
+};
+
 /// A kernel that also gives its derivatives in closed form: returns the value, and adds gradient
 /// and Hessian as the filter asks. It is never asked for a numeric filter.
 template <class Kernel>
-concept ClosedFormKernel = ValueKernel<Kernel> &&
+concept ClosedFormKernel = GeometricKernel<Kernel> || ValueKernel<Kernel> &&
     requires(const Kernel& kernel, const Stencil<double, Kernel::vertices>& x,
              const typename Kernel::template Rest<double>& rest, Filter filter,
              ElementOutputs<double, Kernel::vertices> outputs) {

@@ -67,7 +67,9 @@ class KernelDerivatives {
   template <Filter filter, class S>
   S evaluate_kernel(const Stencil<S, K>& x, const Rest<S>& rest,
                     ElementOutputs<S, K> outputs) const {
-    if constexpr (has_closed_form) {
+    if constexpr (GeometricKernel<Kernel>) {
+      return kernel_.evaluate(kernel_.geometry(x, rest), rest, filter, outputs);
+    } else if constexpr (ClosedFormKernel<Kernel>) {
       return kernel_.evaluate(x, rest, filter, outputs);
     } else {
       constexpr auto curvature = filter == Filter::tight ? Curvature::positive : Curvature::exact;

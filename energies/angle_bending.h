@@ -68,15 +68,21 @@ struct AngleBending {
   }
 
   template <class S>
+  using Geometry = Hinge<S>;
+  template <class S>
+  Hinge<S> geometry(const Stencil<S, 3>& x, const Rest<S>& rest) const {
+    return {x, rest.stiffness, rest.shortest_squared};
+  }
+
+  template <class S>
   S value(const Stencil<S, 3>& x, const Rest<S>& rest) const {
-    const Hinge<S> hinge(x, rest.stiffness, rest.shortest_squared);
+    const Hinge<S> hinge = geometry(x, rest);
     return hinge.stiffness * Law::value(hinge.turning(), rest.rest);
   }
 
   template <class S>
-  S evaluate(const Stencil<S, 3>& x, const Rest<S>& rest, Filter filter,
+  S evaluate(const Hinge<S>& hinge, const Rest<S>& rest, Filter filter,
              ElementOutputs<S, 3> outputs) const {
-    const Hinge<S> hinge(x, rest.stiffness, rest.shortest_squared);
     switch (filter) {
       case Filter::exact:
         return evaluate<Filter::exact>(hinge, rest.rest, outputs);

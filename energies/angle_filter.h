@@ -24,7 +24,7 @@ inline double collapsed_squared_length(double shortest_rest_length) {
   return length * length;
 }
 
-/// Positive and negative part of the 2x2 matrix [[0, g], [g, 2h]]:
+/// Positive and negative part of the 2x2 matrix [[0, g], [g, 2h]], given the square of g:
 /// weight (g, positive)(g, positive)^T - weight (g, negative)(g, negative)^T.
 template <class S>
 struct SplitPair {
@@ -32,9 +32,9 @@ struct SplitPair {
 };
 
 template <class S>
-SplitPair<S> split_pair(const S& g, const S& h) {
+SplitPair<S> split_pair(const S& squared_g, const S& h) {
   // Where both vanish so do the vectors; the weight must stay finite, also times a stiffness.
-  const S squared = max(S(h * h + g * g), S(1e-300));
+  const S squared = max(S(h * h + squared_g), S(1e-300));
   const S inverse = inverse_sqrt(squared), radius = squared * inverse;
   return {S(0.5) * inverse, h + radius, h - radius};
 }
@@ -53,7 +53,7 @@ template <std::size_t N, class S, class See>
                                                       const S& h, const See& see) {
   static_assert(N == 2 || N == 4);
   const auto& [t0, b0, t1, b1] = plane;
-  const SplitPair<S> split = split_pair(g, h);
+  const SplitPair<S> split = split_pair(S(g * g), h);
   const S sign = copysign(S(1), g);
   const S half_weight = S(0.5) * split.weight, quarter_g = S(0.25) * abs(g);
   const auto& [weight, positive, negative] = split;

@@ -79,17 +79,23 @@ struct Twist {
   }
 
   template <class S>
+  using Geometry = Dihedral<S>;
+  template <class S>
+  Dihedral<S> geometry(const Stencil<S, 4>& x, const Rest<S>& rest) const {
+    return {x, rest.stiffness, rest.shortest_squared};
+  }
+
+  template <class S>
   S value(const Stencil<S, 4>& x, const Rest<S>& rest) const {
-    const Dihedral<S> dihedral(x, rest.stiffness, rest.shortest_squared);
+    const Dihedral<S> dihedral = geometry(x, rest);
     const S difference = wrap_angle(S(dihedral.torsion - rest.angle));
     const S energy = S(0.5) * dihedral.stiffness * difference * difference;
     return any(is_fading(dihedral)) ? energy * fade(dihedral) : energy;
   }
 
   template <class S>
-  S evaluate(const Stencil<S, 4>& x, const Rest<S>& rest, Filter filter,
+  S evaluate(Dihedral<S> dihedral, const Rest<S>& rest, Filter filter,
              ElementOutputs<S, 4> outputs) const {
-    Dihedral<S> dihedral(x, rest.stiffness, rest.shortest_squared);
     const S g = wrap_angle(S(dihedral.torsion - rest.angle));
     const S energy = S(0.5) * dihedral.stiffness * g * g;
     S faded = 1;
@@ -221,7 +227,7 @@ struct Twist {
       const S at_1 = kappa[1] - kappa[0], at_2 = kappa[2] - kappa[1];
       const S doubled =
           S(2) * (kappa[0] * kappa[0] + at_1 * at_1 + at_2 * at_2 + kappa[2] * kappa[2]);
-      const SplitPair<S> split = split_pair(S(q * doubled * inverse_sqrt(doubled)), h_of_f);
+      const SplitPair<S> split = split_pair(S(q * q * doubled), h_of_f);
       const auto set_term = [&](RankOne<S, 4>& term, const S& weight, const S& along) {
         term.weight = S(0.5) * weight;
         for (int n = 0; n < 3; ++n) term.q[n] = (S(-2) * q * kappa[n]) * dihedral.d;
