@@ -1,19 +1,35 @@
 #include "core/edge_derivatives.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace ringlet {
 
-void EdgeDerivatives::set_zero(int vertices) {
+void EdgeDerivatives::begin(int vertices) {
+  // Left behind by an exception, perhaps.
+  for (int i = taken_; i <= vertices_ && !gradient_.empty(); ++i) clear(i);
   const std::size_t rows = vertices + 1;
   if (rows > gradient_.size()) {
     gradient_.resize(rows);
     blocks_.resize(rows * edge_band_blocks);
+    for (int i = 0; i <= vertices; ++i) clear(i);
   }
   vertices_ = vertices;
-  std::memset(static_cast<void*>(gradient_.data()), 0, rows * sizeof(gradient_[0]));
-  std::memset(static_cast<void*>(blocks_.data()), 0, rows * edge_band_blocks * sizeof(blocks_[0]));
+  taken_ = 0;
+}
+
+void EdgeDerivatives::clear(int entry) {
+  gradient_[entry] = {0, 0, 0};
+  for (int k = 0; k < edge_band_blocks; ++k) {
+    blocks_[entry * edge_band_blocks + k] = Matrix3<Pack>::zero();
+  }
+}
+
+Vector3<Pack> EdgeDerivatives::take_row(int i, Matrix3<Pack>* hessian_row) {
+  const Vector3<Pack> gradient_row = gradient_[i] - gradient_[i + 1];
+  write_hessian_row(i, hessian_row);
+  clear(i);
+  taken_ = i + 1;
+  return gradient_row;
 }
 
 EdgeOutputs EdgeDerivatives::outputs() {
@@ -43,12 +59,12 @@ void EdgeDerivatives::write_hessian_row(int i, Matrix3<Pack>* row) const {
   }
 }
 
-void EdgeDerivatives::add_to(const GroupOutputs& outputs) const {
+void EdgeDerivatives::add_to(const GroupOutputs& outputs) {
   for (int i = 0; i < vertices_; ++i) {
-    if (!outputs.gradient.empty()) outputs.gradient[i] += gradient_row(i);
-    if (outputs.hessian.empty()) continue;
     Matrix3<Pack> row[band_blocks];
-    write_hessian_row(i, row);
+    const Vector3<Pack> gradient_row = take_row(i, row);
+    if (!outputs.gradient.empty()) outputs.gradient[i] += gradient_row;
+    if (outputs.hessian.empty()) continue;
     for (int k = 0; k <= std::min(i, band_blocks - 1); ++k) outputs.hessian.block(i, k) += row[k];
   }
 }

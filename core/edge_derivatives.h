@@ -31,22 +31,28 @@ struct EdgeOutputs {
 /// them, and they are turned into those of the vertices once for all energies.
 class EdgeDerivatives {
  public:
-  /// Zero, for strands of so many vertices. Allocates only where more are asked for than before.
-  void set_zero(int vertices);
-
+  /// Zero, for strands of so many vertices. Allocates only where more are asked for than before,
+  /// and is fastest where all rows were taken.
+  void begin(int vertices);
   EdgeOutputs outputs();
-  /// Row i of D^T g.
-  Vector3<Pack> gradient_row(int i) const { return gradient_[i] - gradient_[i + 1]; }
-  /// Writes row i of D^T H D: the band_blocks blocks of a row of GroupBands.
-  void write_hessian_row(int i, Matrix3<Pack>* row) const;
+
+  // The rows are taken once each, from the root on. Behind them zero is left for what comes next,
+  // while it is warm in cache.
+  /// Row i of D^T g; writes row i of D^T H D, the band_blocks blocks of a row of GroupBands.
+  Vector3<Pack> take_row(int i, Matrix3<Pack>* hessian_row);
+  /// Takes all rows, and adds them.
+  void add_to(const GroupOutputs& outputs);
+
   std::size_t bytes() const { return bytes_of(gradient_) + bytes_of(blocks_); }
-  /// Adds all rows.
-  void add_to(const GroupOutputs& outputs) const;
 
  private:
+  void write_hessian_row(int i, Matrix3<Pack>* row) const;
+  void clear(int entry);
+
   // Entry 0 stands for the edge before the root, which does not exist and stays zero, as does the
   // one behind the tip.
   int vertices_ = 0;
+  int taken_ = 0;
   std::vector<Vector3<Pack>> gradient_;
   std::vector<Matrix3<Pack>> blocks_;
 };

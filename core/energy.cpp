@@ -5,7 +5,7 @@ namespace ringlet {
 double add_at_vertices(const Energy& energy, int group, std::span<const Vector3<Pack>> x,
                        const GroupOutputs& outputs) {
   EdgeDerivatives edges;
-  edges.set_zero(static_cast<int>(x.size()));
+  edges.begin(static_cast<int>(x.size()));
   EdgeOutputs wanted = edges.outputs();
   if (outputs.gradient.empty()) wanted.gradient = {};
   if (outputs.hessian.empty()) wanted.hessian = {};

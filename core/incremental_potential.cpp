@@ -131,17 +131,16 @@ void IncrementalPotential::add_forces(int group, const VertexField& x, GroupOutp
   }
 }
 
-double IncrementalPotential::write_rows(int group, const VertexField& x,
-                                        const EdgeDerivatives& edges, double mass_weight,
-                                        const GroupOutputs& outputs) const {
+double IncrementalPotential::write_rows(int group, const VertexField& x, EdgeDerivatives& edges,
+                                        double mass_weight, const GroupOutputs& outputs) const {
   const auto rows = x.group(group), target = target_.group(group);
   const Pack* mass = &model_.mass[model_.groups[group].first_row];
   Pack inertia = 0;
   for (int i = 0; i < outputs.hessian.rows(); ++i) {
     const Vector3<Pack> apart = rows[i] - target[i];
     inertia += mass[i] * squared_norm(apart);
-    outputs.gradient[i] += edges.gradient_row(i) + Pack(inverse_h2_ * mass[i]) * apart;
-    edges.write_hessian_row(i, &outputs.hessian.block(i, 0));
+    const Vector3<Pack> elastic = edges.take_row(i, &outputs.hessian.block(i, 0));
+    outputs.gradient[i] += elastic + Pack(inverse_h2_ * mass[i]) * apart;
     for (int c = 0; c < 3; ++c) outputs.hessian.block(i, 0)(c, c) += mass_weight * mass[i];
   }
   return 0.5 * inverse_h2_ * sum_lanes(inertia);
@@ -198,33 +197,56 @@ void IncrementalPotential::add_coupled(const VertexField& x, Couplings* coupling
 void IncrementalPotential::assemble(const VertexField& x, VertexField& gradient,
                                     SystemMatrix& matrix, LinearSolver& solver,
                                     VertexField& direction, Assembled& result, double added) {
-  const bool keep_all = solver.band_factor() == nullptr;
-  if (keep_all) matrix.keep_bands();
+  if (solver.band_factor() == nullptr) matrix.keep_bands();
   parallel_for_each(model_.groups.count(), [&](int g) {
-    const auto rows = gradient.group(g);
-    std::fill(rows.begin(), rows.end(), Vector3<Pack>{0, 0, 0});
-    const std::span free = free_of(g);
-    if (!keep_all && is_held(free)) {
-      add_values(g, x);
-      squared_gradients_[g] = 0;
-      const auto still = direction.group(g);
-      std::fill(still.begin(), still.end(), Vector3<Pack>{0, 0, 0});
-      return;
-    }
-    const GroupBands bands = keep_all ? matrix.bands.group(g) : matrix.temporary_bands(g);
-    matrix.couplings.add_gradient(g, rows);
-    const std::span of_group = terms_of(g);
-    of_group.back() = 0;
-    EdgeDerivatives& edges = matrix.temporary_edges(g);
-    add_energies(g, x, edges.outputs(), of_group);
-    of_group.front() = write_rows(g, x, edges, inverse_h2_ + added, {rows, bands});
-    add_forces(g, x, {rows, bands}, of_group);
-    matrix.couplings.add_to_bands(g, bands);
-    squared_gradients_[g] = pin_gradient(rows, free);
-    pin_rows(bands, free);
-    const bool coupled = matrix.couplings.touches(g);
-    naming(solver, [&] { solver.prepare_group({g, bands, rows, coupled}, direction.group(g)); });
+    assemble_group(g, x, gradient.group(g), matrix, solver, direction.group(g),
+                   inverse_h2_ + added);
   });
+  sum_groups(result);
+}
+
+void IncrementalPotential::solve_groups(const VertexField& x, SystemMatrix& matrix,
+                                        LinearSolver& solver,
+                                        const std::function<void(const SolvedGroup&)>& see,
+                                        Assembled& result, double added) {
+  parallel_for_each(model_.groups.count(), [&](int g) {
+    const std::span gradient = matrix.temporary_gradient(g);
+    const std::span direction = matrix.temporary_direction(g);
+    assemble_group(g, x, gradient, matrix, solver, direction, inverse_h2_ + added);
+    see({g, gradient, direction});
+  });
+  sum_groups(result);
+}
+
+void IncrementalPotential::assemble_group(int group, const VertexField& x,
+                                          std::span<Vector3<Pack>> gradient, SystemMatrix& matrix,
+                                          LinearSolver& solver, std::span<Vector3<Pack>> direction,
+                                          double mass_weight) {
+  std::fill(gradient.begin(), gradient.end(), Vector3<Pack>{0, 0, 0});
+  const bool keep_bands = solver.band_factor() == nullptr;
+  const std::span free = free_of(group);
+  if (!keep_bands && is_held(free)) {
+    add_values(group, x);
+    squared_gradients_[group] = 0;
+    std::fill(direction.begin(), direction.end(), Vector3<Pack>{0, 0, 0});
+    return;
+  }
+  const GroupBands bands = keep_bands ? matrix.bands.group(group) : matrix.temporary_bands(group);
+  matrix.couplings.add_gradient(group, gradient);
+  const std::span terms = terms_of(group);
+  terms.back() = 0;
+  EdgeDerivatives& edges = matrix.temporary_edges(group);
+  add_energies(group, x, edges.outputs(), terms);
+  terms.front() = write_rows(group, x, edges, mass_weight, {gradient, bands});
+  add_forces(group, x, {gradient, bands}, terms);
+  matrix.couplings.add_to_bands(group, bands);
+  squared_gradients_[group] = pin_gradient(gradient, free);
+  pin_rows(bands, free);
+  const bool coupled = matrix.couplings.touches(group);
+  naming(solver, [&] { solver.prepare_group({group, bands, gradient, coupled}, direction); });
+}
+
+void IncrementalPotential::sum_groups(Assembled& result) {
   sum_terms(result.terms);
   result.squared_gradient =
       std::accumulate(squared_gradients_.begin(), squared_gradients_.end(), 0.0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -58,6 +59,17 @@ class IncrementalPotential {
   /// direction; but for a solver with a band factor not those of groups where nothing is free.
   void assemble(const VertexField& x, VertexField& gradient, SystemMatrix& matrix,
                 LinearSolver& solver, VertexField& direction, Assembled& result, double added = 0);
+  /// What belongs to one group, solved.
+  struct SolvedGroup {
+    int group;
+    std::span<const Vector3<Pack>> gradient, direction;
+  };
+  /// The same where the model may not couple strands, for a solver with a band factor: gradient and
+  /// direction are not kept, but those of each group shown to `see` while they are warm in cache;
+  /// from several threads at once.
+  void solve_groups(const VertexField& x, SystemMatrix& matrix, LinearSolver& solver,
+                    const std::function<void(const SolvedGroup&)>& see, Assembled& result,
+                    double added = 0);
 
  private:
   double inertia(int group, const VertexField& x) const;
@@ -71,12 +83,17 @@ class IncrementalPotential {
   std::span<const Pack> free_of(int group) const;
   /// Inertia, whose value is returned, and energies: adds the gradient, and writes the Hessian with
   /// mass_weight M.
-  double write_rows(int group, const VertexField& x, const EdgeDerivatives& edges,
-                    double mass_weight, const GroupOutputs& outputs) const;
+  double write_rows(int group, const VertexField& x, EdgeDerivatives& edges, double mass_weight,
+                    const GroupOutputs& outputs) const;
   std::size_t term_count() const { return model_.energies.size() + 2; }
   std::span<double> terms_of(int group) {
     return std::span(terms_of_groups_).subspan(group * term_count(), term_count());
   }
+  /// Of one group; writes its gradient, and what the solver solves.
+  void assemble_group(int group, const VertexField& x, std::span<Vector3<Pack>> gradient,
+                      SystemMatrix& matrix, LinearSolver& solver,
+                      std::span<Vector3<Pack>> direction, double mass_weight);
+  void sum_groups(Assembled& result);
   void sum_terms(PotentialTerms& total);
   /// Values of couplings and contacts; what they add goes where it is wanted.
   void add_coupled(const VertexField& x, Couplings* couplings);

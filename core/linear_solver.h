@@ -57,7 +57,8 @@ class LinearSolver : public Named {
   /// is not positive); solve() must not be called then.
   virtual bool prepare(const SystemMatrix& a) = 0;
   /// x = A^-1 b, where x holds what prepare_group() wrote for the same b. The matrix given to
-  /// prepare() is still alive and, but for what prepare_group() overwrote, unchanged.
+  /// prepare() is still alive and, but for what prepare_group() overwrote, unchanged. Not called of
+  /// a solver with a band factor where nothing couples strands: it has solved then.
   virtual SolveReport solve(const VertexField& b, VertexField& x) = 0;
   /// z = P^-1 r, P symmetric positive definite and close to A: what a preconditioner without a band
   /// factor does. Unlike solve(), it neither iterates nor reports where a fixed approximation is at

@@ -13,16 +13,32 @@ GroupBands SystemMatrix::temporary_bands(int group) {
   return GroupBands(std::span(blocks).first(size));
 }
 
+std::span<Vector3<Pack>> SystemMatrix::rows_of(int group,
+                                               std::vector<Vector3<Pack>>& vector) const {
+  const std::size_t size = (*groups_)[group].vertices;
+  if (vector.size() < size) vector.resize(size);
+  return std::span(vector).first(size);
+}
+
+std::span<Vector3<Pack>> SystemMatrix::temporary_gradient(int group) {
+  return rows_of(group, temporary_.local().gradient);
+}
+
+std::span<Vector3<Pack>> SystemMatrix::temporary_direction(int group) {
+  return rows_of(group, temporary_.local().direction);
+}
+
 EdgeDerivatives& SystemMatrix::temporary_edges(int group) {
   EdgeDerivatives& edges = temporary_.local().edges;
-  edges.set_zero((*groups_)[group].vertices);
+  edges.begin((*groups_)[group].vertices);
   return edges;
 }
 
 std::size_t SystemMatrix::bytes() const {
   std::size_t sum = bands.bytes() + couplings.bytes();
   for (const Temporary& temporary : temporary_) {
-    sum += bytes_of(temporary.blocks) + temporary.edges.bytes();
+    sum += bytes_of(temporary.blocks) + temporary.edges.bytes() + bytes_of(temporary.gradient) +
+           bytes_of(temporary.direction);
   }
   return sum;
 }

@@ -29,6 +29,9 @@ class SystemMatrix {
   }
   /// Memory for the bands of one group, in the calling thread alone, until the next call.
   GroupBands temporary_bands(int group);
+  /// Memory for a vector over the rows of one group, likewise; there are two of them.
+  std::span<Vector3<Pack>> temporary_gradient(int group);
+  std::span<Vector3<Pack>> temporary_direction(int group);
   /// Zero derivatives over the edges of one group, in the calling thread alone, until the next
   /// call.
   EdgeDerivatives& temporary_edges(int group);
@@ -45,7 +48,9 @@ class SystemMatrix {
   struct Temporary {
     std::vector<Matrix3<Pack>> blocks;
     EdgeDerivatives edges;
+    std::vector<Vector3<Pack>> gradient, direction;
   };
+  std::span<Vector3<Pack>> rows_of(int group, std::vector<Vector3<Pack>>& vector) const;
   tbb::enumerable_thread_specific<Temporary> temporary_;
 };
 

@@ -50,34 +50,43 @@ class Newton {
   enum class Outcome { go_on, done, failed };
   Outcome iterate(Model& model, IncrementalPotential& potential, double dt, VertexField& x,
                   StepReport& report);
-  void assemble(Model& model, IncrementalPotential& potential, const VertexField& x,
-                StepReport& report);
-  bool find_direction(Model& model, IncrementalPotential& potential, const VertexField& x,
-                      double dt, StepReport& report);
-  bool solve(LinearSolver& solver, StepReport& report);
-  void measure_direction();
-  /// The alpha with which the line search begins.
-  double longest_step(Model& model, const VertexField& x, StepReport& report);
-  bool search_line(Model& model, IncrementalPotential& potential, VertexField& x,
-                   StepReport& report);
-  bool try_next_iteration(Model& model, IncrementalPotential& potential, VertexField& x,
-                          StepReport& report);
-  bool falls_enough(const PotentialTerms& terms, double alpha) const;
-
+  /// What is known of an iterate x.
+  struct Iterate {
+    VertexField gradient, direction;  ///< not written where solves_groups()
+    VertexField trial;                ///< x - d at first
+    IncrementalPotential::Assembled assembled;
+  };
   struct DirectionSums {
     double slope, largest;
   };
 
+  void begin_iteration(Model& model, IncrementalPotential& potential, const VertexField& x,
+                       StepReport& report);
+  void assemble(const Model& model, IncrementalPotential& potential, const VertexField& x,
+                Iterate& iterate, double added = 0);
+  bool find_direction(Model& model, IncrementalPotential& potential, const VertexField& x,
+                      double dt, StepReport& report);
+  bool solve(const Model& model, const VertexField& x, StepReport& report);
+  /// What follows from the direction of a group: its sums and its trial.
+  void take_up(const IncrementalPotential::SolvedGroup& solved, const VertexField& x,
+               Iterate& iterate);
+  /// The alpha with which the line search begins.
+  double longest_step(Model& model, const VertexField& x, StepReport& report);
+  bool search_line(Model& model, IncrementalPotential& potential, VertexField& x,
+                   StepReport& report);
+  /// Moves the trial towards x, until their distance is so many times what it was.
+  void shorten_trial(const VertexField& x, double factor);
+  bool try_next_iteration(Model& model, IncrementalPotential& potential, VertexField& x,
+                          StepReport& report);
+  bool falls_enough(const PotentialTerms& terms, double alpha) const;
+
   NewtonParameters parameters_;
   std::optional<SystemMatrix> matrix_;
-  VertexField gradient_, direction_, trial_;
-  VertexField next_gradient_, next_direction_;  ///< of the iteration that is tried
-  std::vector<DirectionSums> direction_sums_;   ///< of each group
-  IncrementalPotential::Assembled assembled_;   ///< at x
-  IncrementalPotential::Assembled next_;        ///< at what is tried
-  bool is_assembled_ = false;  ///< gradient, matrix and direction are already those at x
-  double slope_ = 0;           ///< d^T grad Phi, J
-  double squared_update_ = 0;  ///< of the vertex that moves most, m^2
+  Iterate here_, next_;                        ///< x, and the iteration that is tried
+  std::vector<DirectionSums> direction_sums_;  ///< of each group
+  bool is_assembled_ = false;                  ///< what is known of x is already known
+  double slope_ = 0;                           ///< d^T grad Phi, J
+  double squared_update_ = 0;                  ///< of the vertex that moves most, m^2
   bool regularised_ = false;
 };
 

@@ -28,7 +28,7 @@ Timing time_element(const EnergyMaker& make, const Json& keys, const BenchOption
   const BoundEnergy bound(make(keys), std::vector<int>(count, vertices), rest);
   const VertexField field = positions_with_pads(bound.groups(), columns(x));
   EdgeDerivatives derivatives;
-  derivatives.set_zero(vertices);
+  derivatives.begin(vertices);
   const EdgeOutputs outputs = derivatives.outputs();
   const Timing timing = measure(
       [&] {

@@ -20,7 +20,7 @@ struct RandomDerivatives {
   explicit RandomDerivatives(unsigned seed) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
-    sparse.set_zero(vertices);
+    sparse.begin(vertices);
     const EdgeOutputs outputs = sparse.outputs();
     for (int i = 0; i < edges; ++i) {
       for (int c = 0; c < 3; ++c) gradient(3 * i + c) = normal(random);
@@ -78,16 +78,22 @@ TEST_CASE("derivatives over edges become those over vertices") {
   }
 }
 
-TEST_CASE("edge derivatives start at zero again, for fewer vertices, too") {
+TEST_CASE("edge derivatives start at zero again, for fewer or more vertices, too") {
+  const int next = GENERATE(vertices - 2, vertices, vertices + 3);
+  const int taken = GENERATE(0, 1, vertices - 1, vertices);
   RandomDerivatives given(2);
-  given.sparse.set_zero(vertices - 2);
-  const EdgeOutputs outputs = given.sparse.outputs();
-  REQUIRE(outputs.gradient.size() == vertices - 2);
-  for (int i = 0; i < vertices - 2; ++i) {
-    CHECK(std::experimental::all_of(outputs.gradient[i].x == 0));
-    for (int k = 0; k < edge_band_blocks; ++k) {
-      for (const Pack& entry : outputs.hessian.block(i, k).m) {
-        CHECK(std::experimental::all_of(entry == 0));
+  Matrix3<Pack> row[band_blocks];
+  for (int i = 0; i < taken; ++i) given.sparse.take_row(i, row);
+  for (const int again : {next, vertices + 3}) {
+    given.sparse.begin(again);
+    const EdgeOutputs outputs = given.sparse.outputs();
+    REQUIRE(static_cast<int>(outputs.gradient.size()) == again);
+    for (int i = 0; i < again; ++i) {
+      CHECK(std::experimental::all_of(outputs.gradient[i].x == 0));
+      for (int k = 0; k < edge_band_blocks; ++k) {
+        for (const Pack& entry : outputs.hessian.block(i, k).m) {
+          CHECK(std::experimental::all_of(entry == 0));
+        }
       }
     }
   }
