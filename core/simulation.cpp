@@ -166,14 +166,19 @@ StepReport Simulation::step() {
 
 void place_pins(const Model& model, double time, VertexField& x) {
   std::map<std::string, Eigen::Isometry3d> since_start;
+  auto moved = since_start.end();
   for (const Pin& pin : model.pins) {
-    auto found = since_start.find(pin.motion);
-    if (found == since_start.end()) {
-      const Eigen::Isometry3d moved =
-          model.motions.at(pin.motion, time) * model.motions.at(pin.motion, 0).inverse();
-      found = since_start.emplace(pin.motion, moved).first;
+    // Most pins have the motion of the one before.
+    if (moved == since_start.end() || moved->first != pin.motion) {
+      moved = since_start.find(pin.motion);
+      if (moved == since_start.end()) {
+        moved = since_start
+                    .emplace(pin.motion, model.motions.at(pin.motion, time) *
+                                             model.motions.at(pin.motion, 0).inverse())
+                    .first;
+      }
     }
-    x.set(pin.vertex, found->second * model.pinned_from.get(pin.vertex));
+    x.set(pin.vertex, moved->second * model.pinned_from.get(pin.vertex));
   }
 }
 

@@ -31,12 +31,9 @@ class Bdf1 final : public Integrator {
  private:
   StepRule predict(const State& state, double dt) {
     const auto x = state.positions.rows(), v = state.velocities.rows();
-    const auto y = implicit_.target.rows(), o = implicit_.origin.rows();
-    for_each_row(state.positions.groups(), [&](int i) {
-      o[i] = x[i];
-      y[i] = x[i] + Pack(dt) * v[i];
-    });
-    return {dt, dt};
+    const auto y = implicit_.target.rows();
+    for_each_row(state.positions.groups(), [&](int i) { y[i] = x[i] + Pack(dt) * v[i]; });
+    return {dt, dt, state.positions};
   }
 
   double dt_;

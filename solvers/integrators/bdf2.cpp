@@ -28,8 +28,11 @@ class Bdf2 final : public Integrator {
 
   double time_step() const override { return dt_; }
   int order() const override { return 2; }
-  void bind(const Model& model) override { implicit_.bind(model); }
-  std::size_t bytes() const override { return implicit_.bytes(); }
+  void bind(const Model& model) override {
+    implicit_.bind(model);
+    origin_ = VertexField(model.groups);
+  }
+  std::size_t bytes() const override { return implicit_.bytes() + origin_.bytes(); }
 
   StepReport step(Model& model, State& state, double dt) override {
     const StepRule rule = predict(state, dt);
@@ -50,12 +53,12 @@ class Bdf2 final : public Integrator {
     const auto x = state.positions.rows(), v = state.velocities.rows();
     const auto x_before = is_first ? x : state.history.fields[0].rows();
     const auto v_before = is_first ? v : state.history.fields[1].rows();
-    const auto y = implicit_.target.rows(), o = implicit_.origin.rows();
+    const auto y = implicit_.target.rows(), o = origin_.rows();
     for_each_row(state.positions.groups(), [&](int i) {
       o[i] = c0 * x[i] + c1 * x_before[i];
       y[i] = o[i] + Pack(b * dt) * (c0 * v[i] + c1 * v_before[i]);
     });
-    return {b * dt, b * dt};
+    return {b * dt, b * dt, origin_};
   }
 
   /// The state becomes the history; its own fields are then free to be written.
@@ -67,6 +70,7 @@ class Bdf2 final : public Integrator {
 
   double dt_;
   ImplicitStep implicit_;
+  VertexField origin_;  ///< of the velocities, m
 };
 
 }  // namespace

@@ -10,23 +10,23 @@
 namespace ringlet {
 
 void ImplicitStep::bind(const Model& model) {
-  target = origin = positions_ = VertexField(model.groups);
+  target = positions_ = VertexField(model.groups);
   potential_.emplace(model, target, 1);
   newton_.bind(model);
   sleepers_.bind(model);
 }
 
 std::size_t ImplicitStep::bytes() const {
-  return target.bytes() + origin.bytes() + positions_.bytes() + newton_.bytes() +
+  return target.bytes() + positions_.bytes() + newton_.bytes() +
          (potential_ ? potential_->bytes() : 0);
 }
 
 StepReport ImplicitStep::solve(Model& model, const State& state, double dt, const StepRule& rule) {
   StepReport report;
   const double time_end = state.time + dt;
-  guess(model, state, dt);
+  carry_strands_with_pins(model, state.positions, state.time, time_end, positions_);
   sleepers_.hold(model, state, positions_);
-  begin_step(model, state, dt, {origin, rule.interval});
+  begin_step(model, state, dt, {rule.origin, rule.interval});
   if (model.collision) {
     const StageTimer timer(report.seconds.detect);
     const bool reachable = naming(*model.collision, [&] {
@@ -45,13 +45,6 @@ StepReport ImplicitStep::solve(Model& model, const State& state, double dt, cons
   return report;
 }
 
-void ImplicitStep::guess(const Model& model, const State& state, double dt) {
-  const auto x = positions_.rows();
-  const auto x_n = state.positions.rows();
-  for_each_row(model.groups, [&](int i) { x[i] = x_n[i]; });
-  carry_strands_with_pins(model, state.time, state.time + dt, positions_);
-}
-
 /// The first guess, or, if carrying strands takes them through each other, that of pins alone.
 bool ImplicitStep::find_reachable_guess(const Model& model, const State& state, double time_end) {
   if (model.collision->can_reach(state.positions, positions_)) return true;
@@ -63,7 +56,7 @@ bool ImplicitStep::find_reachable_guess(const Model& model, const State& state, 
 void ImplicitStep::finish(const Model& model, State& state, double dt, const StepRule& rule,
                           StepReport& report) {
   const auto v = state.velocities.rows();
-  const auto x = std::as_const(positions_).rows(), o = std::as_const(origin).rows();
+  const auto x = std::as_const(positions_).rows(), o = rule.origin.rows();
   for_each_row(model.groups, [&](int i) { v[i] = Pack(1 / rule.interval) * (x[i] - o[i]); });
   std::swap(state.positions, positions_);
   state.time += dt;

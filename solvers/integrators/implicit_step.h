@@ -16,8 +16,9 @@ namespace ringlet {
 ///
 /// and the velocities there are (x - o) / interval (math.md, section 6).
 struct StepRule {
-  double h;         ///< effective time step of the inertia, s; infinite: no inertia
-  double interval;  ///< s
+  double h;                   ///< effective time step of the inertia, s; infinite: no inertia
+  double interval;            ///< s
+  const VertexField& origin;  ///< o, m
 };
 
 /// One step of any such method: first guess, collisions, Newton's method, the new state.
@@ -29,8 +30,8 @@ class ImplicitStep {
   /// Allocates for a model. Called once.
   void bind(const Model& model);
 
-  /// y, the inertial target, and o, the origin of the velocities, m: to be written before solve().
-  VertexField target, origin;
+  /// y, the inertial target, m: to be written before solve().
+  VertexField target;
   /// Solves for the positions at state.time + dt. If the report names a failure, they are of no
   /// use.
   StepReport solve(Model& model, const State& state, double dt, const StepRule& rule);
@@ -41,7 +42,6 @@ class ImplicitStep {
               StepReport& report);
 
  private:
-  void guess(const Model& model, const State& state, double dt);
   bool find_reachable_guess(const Model& model, const State& state, double time_end);
 
   Newton newton_;

@@ -43,8 +43,11 @@ class Newmark final : public Integrator {
 
   double time_step() const override { return dt_; }
   int order() const override { return gamma_ == 0.5 ? 2 : 1; }
-  void bind(const Model& model) override { implicit_.bind(model); }
-  std::size_t bytes() const override { return implicit_.bytes(); }
+  void bind(const Model& model) override {
+    implicit_.bind(model);
+    origin_ = VertexField(model.groups);
+  }
+  std::size_t bytes() const override { return implicit_.bytes() + origin_.bytes(); }
 
   StepReport step(Model& model, State& state, double dt) override {
     const Weights weights = weights_after(state.history);
@@ -73,12 +76,12 @@ class Newmark final : public Integrator {
     const double interval = beta * dt / gamma;
     const auto x = state.positions.rows(), v = state.velocities.rows();
     const auto a = state.history.fields[0].rows();
-    const auto y = implicit_.target.rows(), o = implicit_.origin.rows();
+    const auto y = implicit_.target.rows(), o = origin_.rows();
     for_each_row(state.positions.groups(), [&, beta = beta, gamma = gamma](int i) {
       y[i] = x[i] + Pack(dt) * v[i] + Pack(dt * dt * (0.5 - beta)) * a[i];
       o[i] = y[i] - Pack(interval) * (v[i] + Pack(dt * (1 - gamma)) * a[i]);
     });
-    return {dt * std::sqrt(beta), interval};
+    return {dt * std::sqrt(beta), interval, origin_};
   }
 
   void remember_acceleration(const Model& model, StepHistory& history, const StepRule& rule) {
@@ -97,12 +100,13 @@ class Newmark final : public Integrator {
     for (const Pin& pin : model.pins) {
       const Eigen::Vector3d x = implicit_.positions().get(pin.vertex);
       const Eigen::Vector3d moved = x - state.positions.get(pin.vertex);
-      implicit_.origin.set(pin.vertex, x - rule.interval / dt * moved);
+      origin_.set(pin.vertex, x - rule.interval / dt * moved);
     }
   }
 
   double dt_, gamma_;
   ImplicitStep implicit_;
+  VertexField origin_;  ///< of the velocities, m
 };
 
 }  // namespace

@@ -32,10 +32,10 @@ class Quasistatic final : public Integrator {
   std::size_t bytes() const override { return implicit_.bytes(); }
 
   StepReport step(Model& model, State& state, double dt) override {
-    const StepRule rule{std::numeric_limits<double>::infinity(), dt};
+    const StepRule rule{std::numeric_limits<double>::infinity(), dt, state.positions};
     const auto x = state.positions.rows();
-    const auto y = implicit_.target.rows(), o = implicit_.origin.rows();
-    for_each_row(model.groups, [&](int i) { y[i] = o[i] = x[i]; });
+    const auto y = implicit_.target.rows();
+    for_each_row(model.groups, [&](int i) { y[i] = x[i]; });
     StepReport report = implicit_.solve(model, state, dt, rule);
     if (report.failure.empty()) implicit_.finish(model, state, dt, rule, report);
     return report;

@@ -33,8 +33,8 @@ std::unique_ptr<Model> make_turning_model() {
 TEST_CASE("a first guess carries strands along with their pins") {
   const auto model = make_turning_model();
   const State state = rest_state(*model);
-  VertexField x = state.positions;
-  carry_strands_with_pins(*model, 0, 0.5, x);
+  VertexField x(model->groups);
+  carry_strands_with_pins(*model, state.positions, 0, 0.5, x);
   const Eigen::Isometry3d moved = Screw().at(0.5);
   for (int v = 0; v < model->strands.vertex_count(); ++v) {
     const Eigen::Vector3d start = state.positions.get(v);
