@@ -55,14 +55,17 @@ bool ImplicitStep::find_reachable_guess(const Model& model, const State& state, 
 
 void ImplicitStep::finish(const Model& model, State& state, double dt, const StepRule& rule,
                           StepReport& report) {
-  const auto v = state.velocities.rows();
-  const auto x = std::as_const(positions_).rows(), o = rule.origin.rows();
-  for_each_row(model.groups, [&](int i) { v[i] = Pack(1 / rule.interval) * (x[i] - o[i]); });
+  report.kinetic_energy = parallel_sum(model.groups.count(), [&](int g) {
+    const auto v = state.velocities.group(g);
+    const auto x = std::as_const(positions_).group(g), o = rule.origin.group(g);
+    const Pack inverse = sleepers_.holds(g) ? 0 : 1 / rule.interval;
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] = inverse * (x[i] - o[i]);
+    return kinetic_energy(model, state.velocities, g);
+  });
   std::swap(state.positions, positions_);
   state.time += dt;
   state.history.dt = dt;
   sleepers_.look(model, state, dt, newton_.couplings());
-  report.kinetic_energy = kinetic_energy(model, state.velocities);
 }
 
 }  // namespace ringlet

@@ -50,8 +50,7 @@ void Sleepers::look(const Model& model, State& state, double dt, const Couplings
   auto& still = state.history.still_steps;
   still.resize(model.groups.count(), 0);
   parallel_for_each(model.groups.count(), [&](int g) {
-    if (is_held_[g] != 0) {
-      for (Vector3<Pack>& v : state.velocities.group(g)) v = {0, 0, 0};
+    if (holds(g)) {
       ++still[g];
       const bool is_looked_at = still[g] % parameters_.sleep_steps == 0;
       if (is_looked_at && is_pushed(model, state, g, dt, couplings)) still[g] = 0;

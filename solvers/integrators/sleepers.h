@@ -37,8 +37,10 @@ class Sleepers {
   /// Wakes whose first guess moves, and holds those that sleep: they are not free in the model. The
   /// collision stage is not told, since it must go on to find the contacts that bear on them.
   void hold(Model& model, const State& state, const VertexField& guess);
+  /// Whether a group sleeps in this step; it has no velocity then.
+  bool holds(int group) const { return are_wanted() && is_held_[group] != 0; }
   /// After a step: who is still, who wakes for the next one. couplings: contacts and couplings as
-  /// they were last evaluated. Sleepers have no velocity.
+  /// they were last evaluated.
   void look(const Model& model, State& state, double dt, const Couplings& couplings);
 
  private:
