@@ -62,6 +62,10 @@ class Couplings {
   void add_gradient(int group, std::span<Vector3<Pack>> rows) const;
   /// Adds what fits there to the bands of a group.
   void add_to_bands(int group, GroupBands bands) const;
+  /// Whether there is anything to add to a group.
+  bool has_part_in(int group) const {
+    return of_group_[group].part_count > 0 || !of_group_[group].tuple_parts.empty();
+  }
 
   /// Whether an edge of the group feels another one beyond the bands.
   bool touches(int group) const {

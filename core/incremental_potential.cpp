@@ -10,6 +10,10 @@
 namespace ringlet {
 namespace {
 
+/// So many rows of a group are completed and factored at a time, while they are in the nearest
+/// cache.
+constexpr int rows_at_a_time = 4;
+
 std::string name_of(const Model& model, int vertex) {
   if (vertex < 0) return "a pad";
   const int strand = model.strands.strand_of(vertex);
@@ -74,15 +78,17 @@ bool is_held(std::span<const Pack> free) {
                      [](const Pack& lanes) { return std::experimental::none_of(lanes != 0); });
 }
 
-/// Makes the gradient zero where nothing is free; returns its squared norm.
-double pin_gradient(std::span<Vector3<Pack>> gradient, std::span<const Pack> free) {
+/// Makes rows of the gradient zero where nothing is free; returns their squared norm.
+double pin_gradient(std::span<Vector3<Pack>> gradient, RowRange rows, std::span<const Pack> free) {
   Pack squared = 0;
-  for (std::size_t i = 0; i < gradient.size(); ++i) {
+  for (int i = rows.first; i < rows.end; ++i) {
     gradient[i] = free[i] * gradient[i];
     squared += squared_norm(gradient[i]);
   }
   return sum_lanes(squared);
 }
+
+bool has_hessian(const Force& force) { return force.has_hessian(); }
 
 }  // namespace
 
@@ -120,30 +126,27 @@ void IncrementalPotential::add_energies(int group, const VertexField& x, EdgeOut
                                         std::span<double> terms) const {
   for (std::size_t e = 0; e < model_.energies.size(); ++e) {
     const Energy& energy = *model_.energies[e];
-    terms[e + 1] = naming(energy, [&] { return energy.add(group, x.group(group), outputs); });
+    terms[e + 1] = naming(energy, sample_of(group),
+                          [&] { return energy.add(group, x.group(group), outputs); });
   }
 }
 
+TimeSample IncrementalPotential::sample_of(int group) const {
+  constexpr int enough = 32;
+  const int count = model_.groups.count(), stride = std::max(count / enough, 1);
+  if (group % stride != 0) return std::nullopt;
+  const int measured = (count + stride - 1) / stride;
+  return static_cast<double>(count) / measured;
+}
+
+template <class IsWanted>
 void IncrementalPotential::add_forces(int group, const VertexField& x, GroupOutputs outputs,
-                                      std::span<double> terms) const {
+                                      std::span<double> terms, const IsWanted& is_wanted) const {
   for (const auto& force : model_.forces) {
-    terms.back() += naming(*force, [&] { return force->add(group, x.group(group), outputs); });
+    if (!is_wanted(*force)) continue;
+    terms.back() += naming(*force, sample_of(group),
+                           [&] { return force->add(group, x.group(group), outputs); });
   }
-}
-
-double IncrementalPotential::write_rows(int group, const VertexField& x, EdgeDerivatives& edges,
-                                        double mass_weight, const GroupOutputs& outputs) const {
-  const auto rows = x.group(group), target = target_.group(group);
-  const Pack* mass = &model_.mass[model_.groups[group].first_row];
-  Pack inertia = 0;
-  for (int i = 0; i < outputs.hessian.rows(); ++i) {
-    const Vector3<Pack> apart = rows[i] - target[i];
-    inertia += mass[i] * squared_norm(apart);
-    const Vector3<Pack> elastic = edges.take_row(i, &outputs.hessian.block(i, 0));
-    outputs.gradient[i] += elastic + Pack(inverse_h2_ * mass[i]) * apart;
-    for (int c = 0; c < 3; ++c) outputs.hessian.block(i, 0)(c, c) += mass_weight * mass[i];
-  }
-  return 0.5 * inverse_h2_ * sum_lanes(inertia);
 }
 
 void IncrementalPotential::sum_terms(PotentialTerms& total) {
@@ -164,7 +167,7 @@ void IncrementalPotential::add_values(int group, const VertexField& x) {
   of_group.front() = inertia(group, x);
   of_group.back() = 0;
   add_energies(group, x, {}, of_group);
-  add_forces(group, x, {}, of_group);
+  add_forces(group, x, {}, of_group, [](const Force&) { return true; });
 }
 
 std::span<const Pack> IncrementalPotential::free_of(int group) const {
@@ -198,9 +201,9 @@ void IncrementalPotential::assemble(const VertexField& x, VertexField& gradient,
                                     SystemMatrix& matrix, LinearSolver& solver,
                                     VertexField& direction, Assembled& result, double added) {
   if (solver.band_factor() == nullptr) matrix.keep_bands();
+  const Assembly assembly{x, matrix, solver, inverse_h2_ + added};
   parallel_for_each(model_.groups.count(), [&](int g) {
-    assemble_group(g, x, gradient.group(g), matrix, solver, direction.group(g),
-                   inverse_h2_ + added);
+    assemble_group(g, assembly, gradient.group(g), direction.group(g));
   });
   sum_groups(result);
 }
@@ -209,41 +212,83 @@ void IncrementalPotential::solve_groups(const VertexField& x, SystemMatrix& matr
                                         LinearSolver& solver,
                                         const std::function<void(const SolvedGroup&)>& see,
                                         Assembled& result, double added) {
+  const Assembly assembly{x, matrix, solver, inverse_h2_ + added};
   parallel_for_each(model_.groups.count(), [&](int g) {
     const std::span gradient = matrix.temporary_gradient(g);
     const std::span direction = matrix.temporary_direction(g);
-    assemble_group(g, x, gradient, matrix, solver, direction, inverse_h2_ + added);
+    assemble_group(g, assembly, gradient, direction);
     see({g, gradient, direction});
   });
   sum_groups(result);
 }
 
-void IncrementalPotential::assemble_group(int group, const VertexField& x,
-                                          std::span<Vector3<Pack>> gradient, SystemMatrix& matrix,
-                                          LinearSolver& solver, std::span<Vector3<Pack>> direction,
-                                          double mass_weight) {
+void IncrementalPotential::assemble_group(int group, const Assembly& assembly,
+                                          std::span<Vector3<Pack>> gradient,
+                                          std::span<Vector3<Pack>> direction) {
+  const auto& [x, matrix, solver, mass_weight] = assembly;
   std::fill(gradient.begin(), gradient.end(), Vector3<Pack>{0, 0, 0});
   const bool keep_bands = solver.band_factor() == nullptr;
-  const std::span free = free_of(group);
-  if (!keep_bands && is_held(free)) {
+  if (!keep_bands && is_held(free_of(group))) {
     add_values(group, x);
     squared_gradients_[group] = 0;
     std::fill(direction.begin(), direction.end(), Vector3<Pack>{0, 0, 0});
     return;
   }
-  const GroupBands bands = keep_bands ? matrix.bands.group(group) : matrix.temporary_bands(group);
-  matrix.couplings.add_gradient(group, gradient);
+  const GroupOutputs outputs{
+      gradient, keep_bands ? matrix.bands.group(group) : matrix.temporary_bands(group)};
+  const GroupSystem system{group, outputs.hessian, gradient, matrix.couplings.touches(group)};
   const std::span terms = terms_of(group);
-  terms.back() = 0;
+  terms.back() = terms.front() = 0;
+  matrix.couplings.add_gradient(group, gradient);
+  add_forces(group, x, {gradient, {}}, terms, std::not_fn(has_hessian));
   EdgeDerivatives& edges = matrix.temporary_edges(group);
   add_energies(group, x, edges.outputs(), terms);
-  terms.front() = write_rows(group, x, edges, mass_weight, {gradient, bands});
-  add_forces(group, x, {gradient, bands}, terms);
-  matrix.couplings.add_to_bands(group, bands);
-  squared_gradients_[group] = pin_gradient(gradient, free);
-  pin_rows(bands, free);
-  const bool coupled = matrix.couplings.touches(group);
-  naming(solver, [&] { solver.prepare_group({group, bands, gradient, coupled}, direction); });
+
+  squared_gradients_[group] = 0;
+  const RowRange all{0, outputs.hessian.rows()};
+  if (has_edges_only(group, matrix.couplings)) {
+    for (int first = 0; first < all.end; first += rows_at_a_time) {
+      const RowRange rows{first, std::min(first + rows_at_a_time, all.end)};
+      terms.front() += write_rows(group, rows, assembly, edges, outputs);
+      prepare_rows(system, rows, solver, outputs, direction);
+    }
+  } else {
+    terms.front() = write_rows(group, all, assembly, edges, outputs);
+    add_forces(group, x, outputs, terms, has_hessian);
+    matrix.couplings.add_to_bands(group, outputs.hessian);
+    prepare_rows(system, all, solver, outputs, direction);
+  }
+}
+
+bool IncrementalPotential::has_edges_only(int group, const Couplings& couplings) const {
+  return !couplings.has_part_in(group) &&
+         std::none_of(model_.forces.begin(), model_.forces.end(),
+                      [](const auto& force) { return has_hessian(*force); });
+}
+
+double IncrementalPotential::write_rows(int group, RowRange range, const Assembly& assembly,
+                                        EdgeDerivatives& edges, const GroupOutputs& outputs) const {
+  const auto rows = assembly.x.group(group), target = target_.group(group);
+  const Pack* mass = &model_.mass[model_.groups[group].first_row];
+  Pack inertia = 0;
+  for (int i = range.first; i < range.end; ++i) {
+    const Vector3<Pack> apart = rows[i] - target[i];
+    inertia += mass[i] * squared_norm(apart);
+    Matrix3<Pack>* row = &outputs.hessian.block(i, 0);
+    const Vector3<Pack> elastic = edges.take_row(i, row);
+    outputs.gradient[i] += elastic + Pack(inverse_h2_ * mass[i]) * apart;
+    for (int c = 0; c < 3; ++c) (*row)(c, c) += assembly.mass_weight * mass[i];
+  }
+  return 0.5 * inverse_h2_ * sum_lanes(inertia);
+}
+
+void IncrementalPotential::prepare_rows(const GroupSystem& system, RowRange rows,
+                                        LinearSolver& solver, const GroupOutputs& outputs,
+                                        std::span<Vector3<Pack>> direction) {
+  const std::span free = free_of(system.group);
+  squared_gradients_[system.group] += pin_gradient(outputs.gradient, rows, free);
+  pin_rows(outputs.hessian, rows, free);
+  naming(solver, sample_of(system.group), [&] { solver.prepare_rows(system, rows, direction); });
 }
 
 void IncrementalPotential::sum_groups(Assembled& result) {

@@ -76,23 +76,39 @@ class IncrementalPotential {
   /// Of one group: inertia, the energies, and the sum of the forces.
   void add_energies(int group, const VertexField& x, EdgeOutputs outputs,
                     std::span<double> terms) const;
-  void add_forces(int group, const VertexField& x, GroupOutputs outputs,
-                  std::span<double> terms) const;
+  template <class IsWanted>
+  void add_forces(int group, const VertexField& x, GroupOutputs outputs, std::span<double> terms,
+                  const IsWanted& is_wanted) const;
   /// All of these values.
   void add_values(int group, const VertexField& x);
   std::span<const Pack> free_of(int group) const;
-  /// Inertia, whose value is returned, and energies: adds the gradient, and writes the Hessian with
-  /// mass_weight M.
-  double write_rows(int group, const VertexField& x, EdgeDerivatives& edges, double mass_weight,
-                    const GroupOutputs& outputs) const;
+  /// Of the calls for a group: the clock is looked at in some of them, since that takes as long as
+  /// some elements.
+  TimeSample sample_of(int group) const;
   std::size_t term_count() const { return model_.energies.size() + 2; }
   std::span<double> terms_of(int group) {
     return std::span(terms_of_groups_).subspan(group * term_count(), term_count());
   }
-  /// Of one group; writes its gradient, and what the solver solves.
-  void assemble_group(int group, const VertexField& x, std::span<Vector3<Pack>> gradient,
-                      SystemMatrix& matrix, LinearSolver& solver,
-                      std::span<Vector3<Pack>> direction, double mass_weight);
+  /// What the groups are assembled for.
+  struct Assembly {
+    const VertexField& x;
+    SystemMatrix& matrix;
+    LinearSolver& solver;
+    double mass_weight;  ///< of M in the Hessian, 1/s^2
+  };
+  /// Writes the gradient of a group, and what the solver solves.
+  void assemble_group(int group, const Assembly& assembly, std::span<Vector3<Pack>> gradient,
+                      std::span<Vector3<Pack>> direction);
+  /// Whether nothing in a group but edges and masses has a Hessian: the rows of its matrix are then
+  /// complete one after the other.
+  bool has_edges_only(int group, const Couplings& couplings) const;
+  /// Inertia, whose value is returned, and energies: adds to rows of the gradient, and writes those
+  /// of the Hessian.
+  double write_rows(int group, RowRange range, const Assembly& assembly, EdgeDerivatives& edges,
+                    const GroupOutputs& outputs) const;
+  /// Hands complete rows to the solver.
+  void prepare_rows(const GroupSystem& system, RowRange rows, LinearSolver& solver,
+                    const GroupOutputs& outputs, std::span<Vector3<Pack>> direction);
   void sum_groups(Assembled& result);
   void sum_terms(PotentialTerms& total);
   /// Values of couplings and contacts; what they add goes where it is wanted.

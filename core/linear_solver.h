@@ -33,7 +33,7 @@ class BandFactor {
 };
 
 /// Solves A x = b for the symmetric matrix of a Newton step. A solver can be the preconditioner of
-/// another one. Usage a Newton iteration: prepare_group() for every group, prepare(), solve()...
+/// another one. Usage a Newton iteration: prepare_rows() for all rows, prepare(), solve()...
 class LinearSolver : public Named {
  public:
   virtual ~LinearSolver() = default;
@@ -43,21 +43,22 @@ class LinearSolver : public Named {
   virtual void set_tolerance(double) {}
   /// Allocates what matrices of these groups need. Called once.
   virtual void bind(const StrandGroups& groups) = 0;
-  /// Not null: the solver turns the bands of each group into this factor in prepare_group(), and
+  /// Not null: the solver turns the bands of each group into this factor in prepare_rows(), and
   /// solves there with it. Nobody else reads the bands: it may factor them in their place, and they
-  /// are gone when it returns.
+  /// are gone when it returns from the last of them.
   virtual const BandFactor* band_factor() const { return nullptr; }
-  /// Called as soon as the system of a group is complete, while it is warm in cache; from several
-  /// threads at once, for different groups. A solver with a band factor makes it here, and writes
-  /// x = B^-1 b; groups in which nothing is free, and whose x is zero, it does not see.
-  virtual void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) {
-    (void)system, (void)x;
+  /// Called as soon as the next rows of the system of a group are complete, while they are warm in
+  /// cache, from the root to the tip; from several threads at once, for different groups. A solver
+  /// with a band factor makes it here, and has written x = B^-1 b when it returns from the last
+  /// rows; groups in which nothing is free, and whose x is zero, it does not see.
+  virtual void prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>> x) {
+    (void)system, (void)rows, (void)x;
   }
   /// Called when all groups are complete. Returns false if the matrix cannot be used (a pivot that
   /// is not positive); solve() must not be called then.
   virtual bool prepare(const SystemMatrix& a) = 0;
-  /// x = A^-1 b, where x holds what prepare_group() wrote for the same b. The matrix given to
-  /// prepare() is still alive and, but for what prepare_group() overwrote, unchanged. Not called of
+  /// x = A^-1 b, where x holds what prepare_rows() wrote for the same b. The matrix given to
+  /// prepare() is still alive and, but for what prepare_rows() overwrote, unchanged. Not called of
   /// a solver with a band factor where nothing couples strands: it has solved then.
   virtual SolveReport solve(const VertexField& b, VertexField& x) = 0;
   /// z = P^-1 r, P symmetric positive definite and close to A: what a preconditioner without a band

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <new>
+#include <optional>
 #include <string>
 
 #include "core/error.h"
@@ -62,6 +63,18 @@ decltype(auto) naming(const std::string& name, const Use& use) {
 template <class Interface, class Use>
 decltype(auto) naming(const Interface& plugin, const Use& use) {
   const WorkTime::Timer timer(plugin.work_time());
+  return naming<Interface>(plugin.name(), use);
+}
+
+/// Of which parts of a work the time is measured, and for how much of the work it stands: to look
+/// at the clock may take as long as a part. Nothing: it is not measured.
+using TimeSample = std::optional<double>;
+
+/// The same of a part of a plugin's work.
+template <class Interface, class Use>
+decltype(auto) naming(const Interface& plugin, TimeSample sample, const Use& use) {
+  std::optional<WorkTime::Timer> timer;
+  if (sample) timer.emplace(plugin.work_time(), *sample);
   return naming<Interface>(plugin.name(), use);
 }
 

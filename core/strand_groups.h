@@ -17,6 +17,13 @@ struct StrandGroup {
   std::array<int, lane_count> strands;  ///< -1: a pad lane
 };
 
+/// Some rows of a group, counted from its first one.
+struct RowRange {
+  int first, end;
+
+  int count() const { return end - first; }
+};
+
 /// Where a vertex lives in lane order.
 struct LaneSlot {
   int row;

@@ -54,12 +54,12 @@ void multiply_group(const SystemMatrix& a, int group, const VertexField& x, Vert
   if (a.couples_strands()) a.couplings.add_product(group, x, y);
 }
 
-void pin_rows(GroupBands bands, std::span<const Pack> free) {
+void pin_rows(GroupBands bands, RowRange rows, std::span<const Pack> free) {
   // Most rows, and all that they couple to, are free.
   int last_pinned = -band_blocks;
-  for (int i = 0; i < bands.rows(); ++i) {
+  for (int i = std::max(rows.first - band_blocks + 1, 0); i < rows.end; ++i) {
     if (any(free[i] != 1)) last_pinned = i;
-    if (i - last_pinned >= band_blocks) continue;
+    if (i < rows.first || i - last_pinned >= band_blocks) continue;
     for (int k = 0; k <= std::min(i, band_blocks - 1); ++k) {
       const Pack both = free[i] * free[i - k];
       bands.block(i, k) = both * bands.block(i, k);

@@ -59,8 +59,8 @@ void multiply(const SystemMatrix& a, const VertexField& x, VertexField& y);
 /// The rows of one group of that.
 void multiply_group(const SystemMatrix& a, int group, const VertexField& x, VertexField& y);
 
-/// Makes the rows and columns of pinned vertices and pads those of the identity. free holds 1 for a
-/// free vertex and 0 for a pinned one or a pad.
-void pin_rows(GroupBands bands, std::span<const Pack> free);
+/// Makes some rows, and all columns in them, of pinned vertices and pads those of the identity.
+/// free holds 1 for a free vertex of the group and 0 for a pinned one or a pad.
+void pin_rows(GroupBands bands, RowRange rows, std::span<const Pack> free);
 
 }  // namespace ringlet

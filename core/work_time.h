@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 
 namespace ringlet {
@@ -12,15 +13,15 @@ class WorkTime {
  public:
   double seconds() const { return 1e-9 * static_cast<double>(nanoseconds_.load()); }
 
-  /// Adds the time of its life.
+  /// Adds the time of its life, or, where that is a sample of a longer work, so many times as much.
   class Timer {
    public:
-    explicit Timer(WorkTime& time) : time_(time), start_(Clock::now()) {}
+    explicit Timer(WorkTime& time, double weight = 1)
+        : time_(time), weight_(weight), start_(Clock::now()) {}
     ~Timer() {
-      const auto passed = Clock::now() - start_;
-      time_.nanoseconds_.fetch_add(
-          std::chrono::duration_cast<std::chrono::nanoseconds>(passed).count(),
-          std::memory_order_relaxed);
+      const std::chrono::duration<double, std::nano> passed = Clock::now() - start_;
+      time_.nanoseconds_.fetch_add(std::llround(weight_ * passed.count()),
+                                   std::memory_order_relaxed);
     }
     Timer(const Timer&) = delete;
     Timer& operator=(const Timer&) = delete;
@@ -28,6 +29,7 @@ class WorkTime {
    private:
     using Clock = std::chrono::steady_clock;
     WorkTime& time_;
+    double weight_;
     Clock::time_point start_;
   };
 

@@ -26,6 +26,7 @@ class Gravity final : public Force {
     mass_ = vertex_scalars(groups, [&](int vertex) { return strands.mass(vertex); });
   }
   bool vanishes() const override { return acceleration_.isZero(0); }
+  bool has_hessian() const override { return false; }
   std::size_t bytes() const override { return bytes_of(mass_); }
   void begin_step(const StepStart&) override {}
 

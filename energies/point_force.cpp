@@ -30,6 +30,7 @@ class PointForce final : public Force {
     acts_ = vertex_scalars(groups, [&](int vertex) { return is_at(strands, vertex) ? 1.0 : 0.0; });
   }
   bool vanishes() const override { return parameters_.force.isZero(0); }
+  bool has_hessian() const override { return false; }
   std::size_t bytes() const override { return bytes_of(acts_); }
   void begin_step(const StepStart&) override {}
 

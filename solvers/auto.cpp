@@ -26,8 +26,8 @@ class Auto final : public LinearSolver {
   void bind(const StrandGroups& groups) override { solver_->bind(groups); }
   std::size_t bytes() const override { return solver_->bytes(); }
   const BandFactor* band_factor() const override { return solver_->band_factor(); }
-  void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) override {
-    solver_->prepare_group(system, x);
+  void prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>> x) override {
+    solver_->prepare_rows(system, rows, x);
   }
   bool prepare(const SystemMatrix& a) override {
     ++(a.couples_strands() ? coupled_systems_ : loose_systems_);

@@ -113,19 +113,22 @@ constexpr int prefetch_rows = 16;
 }  // namespace
 
 // The forward substitution comes for free: a row of the factor waits for the one before it.
-[[gnu::flatten]] bool factor_and_solve(GroupBands bands, std::span<Vector3<Pack>> x) {
+[[gnu::flatten]] bool factor_rows(GroupBands bands, RowRange rows, std::span<Vector3<Pack>> x) {
   Mask bad(false);
-  for (int i = 0; i < bands.rows(); ++i) {
+  for (int i = rows.first; i < rows.end; ++i) {
     with_left_blocks(i, [&](auto left) {
       factor_row<left>(&bands.block(i, 0), bad);
       solve_row<left>(ConstRow(&bands.block(i, 0)), &x[i]);
     });
   }
-  for (int i = bands.rows(); i-- > 0;) {
-    with_left_blocks(
-        i, [&](auto left) { solve_transposed_row<left>(ConstRow(&bands.block(i, 0)), &x[i]); });
-  }
   return !any(bad);
+}
+
+[[gnu::flatten]] void substitute_back(GroupBands factor, std::span<Vector3<Pack>> x) {
+  for (int i = factor.rows(); i-- > 0;) {
+    with_left_blocks(
+        i, [&](auto left) { solve_transposed_row<left>(ConstRow(&factor.block(i, 0)), &x[i]); });
+  }
 }
 
 template <class Stored>

@@ -15,9 +15,12 @@ namespace ringlet {
 ///
 /// (Golub, Van Loan: Matrix Computations, section 4.3.5, with 3x3 blocks and bandwidth 3). L(i, j)
 /// takes the place of A(i, j), and the inverse of L(i, i), an InverseTriangle, that of A(i, i).
-/// Solves with it at once, x = A^-1 x. Returns false, and leaves factor and x unusable, if a pivot
-/// of any lane is not positive and finite.
-bool factor_and_solve(GroupBands bands, std::span<Vector3<Pack>> x);
+/// So for some rows, the factors of those before being known; solves at once L y = x, y in the
+/// place of x. Returns false, and leaves factor and x unusable, if a pivot of any lane is not
+/// positive and finite.
+bool factor_rows(GroupBands bands, RowRange rows, std::span<Vector3<Pack>> x);
+/// x = L^-T x, when all rows are factored: x has become A^-1 of what it was at first.
+void substitute_back(GroupBands factor, std::span<Vector3<Pack>> x);
 
 /// Half as wide as a pack, with a number a lane all the same.
 using SinglePack =
@@ -31,7 +34,7 @@ struct FactorRow {
   std::array<Matrix3<Stored>, band_blocks - 1> left;
 };
 
-/// Copies the factor that factor_and_solve() made.
+/// Copies the factor that factor_rows() made.
 template <class Stored>
 void keep_factor(GroupBands factor, std::span<FactorRow<Stored>> kept);
 

@@ -47,13 +47,14 @@ class Jacobi final : public LinearSolver {
     return bytes_of(inverse_) + residual_.bytes() + update_.bytes() + next_.bytes();
   }
 
-  void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>>) override {
+  void prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>>) override {
     Mask bad(false);
     InverseTriangle* inverse = &inverse_[(*groups_)[system.group].first_row];
-    for (int i = 0; i < system.bands.rows(); ++i) {
+    for (int i = rows.first; i < rows.end; ++i) {
       inverse[i] = inverse_cholesky(lower_triangle(system.bands.block(i, 0)), bad);
     }
-    positive_[system.group] = !any(bad);
+    const bool were_positive = rows.first == 0 || positive_[system.group];
+    positive_[system.group] = were_positive && !any(bad);
   }
 
   bool prepare(const SystemMatrix& a) override {

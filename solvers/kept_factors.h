@@ -21,7 +21,7 @@ class KeptFactors {
   /// tolerance: of the solver; 0: nothing is rounded. The groups must outlive the factors.
   void bind(const StrandGroups& groups, double tolerance);
 
-  /// Keeps a factor that factor_and_solve() made, solving B x = b. Thread-safe for different
+  /// Keeps a factor that factor_rows() made, solving B x = b. Thread-safe for different
   /// groups.
   void keep(int group, GroupBands factor, std::span<const Vector3<Pack>> b,
             std::span<const Vector3<Pack>> x);

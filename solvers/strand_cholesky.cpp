@@ -31,10 +31,12 @@ class StrandCholesky final : public LinearSolver, private BandFactor {
   std::size_t bytes() const override { return factors_.bytes() + bytes_of(positive_); }
   const BandFactor* band_factor() const override { return this; }
 
-  void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>> x) override {
+  void prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>> x) override {
     const int g = system.group;
-    std::copy(system.b.begin(), system.b.end(), x.begin());
-    positive_[g] = factor_and_solve(system.bands, x);
+    std::copy_n(&system.b[rows.first], rows.count(), &x[rows.first]);
+    if (!factor_rows(system.bands, rows, x)) positive_[g] = false;
+    if (rows.end < system.bands.rows()) return;
+    substitute_back(system.bands, x);
     if (system.coupled && positive_[g]) factors_.keep(g, system.bands, system.b, x);
   }
 

@@ -43,13 +43,14 @@ class ConjugateResidual final : public LinearSolver {
     residual_ = z_ = image_of_z_ = direction_ = image_ = VertexField(groups);
   }
 
-  void prepare_group(const GroupSystem& system, std::span<Vector3<Pack>>) override {
+  void prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>>) override {
     Mask bad(false);
     InverseTriangle* inverse = &inverse_[(*groups_)[system.group].first_row];
-    for (int i = 0; i < system.bands.rows(); ++i) {
+    for (int i = rows.first; i < rows.end; ++i) {
       inverse[i] = inverse_cholesky(lower_triangle(system.bands.block(i, 0)), bad);
     }
-    is_positive_[system.group] = !any(bad);
+    const bool were_positive = rows.first == 0 || is_positive_[system.group];
+    is_positive_[system.group] = were_positive && !any(bad);
   }
 
   bool prepare(const SystemMatrix& a) override {

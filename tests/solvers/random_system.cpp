@@ -184,7 +184,7 @@ void RandomSystem::add_tuple(Random& random) {
 
 void RandomSystem::pin() {
   for (int g = 0; g < groups.count(); ++g) {
-    pin_rows(matrix.bands.group(g),
+    pin_rows(matrix.bands.group(g), {0, groups[g].vertices},
              std::span(free).subspan(groups[g].first_row, groups[g].vertices));
   }
   for (int strand = 1; strand < strands.count(); strand += 2) {
@@ -226,7 +226,12 @@ Prepared::Prepared(LinearSolver& solver, const SystemMatrix& a, VertexField b)
   solver.bind(a.groups());
   parallel_for_each(a.groups().count(), [&](int g) {
     const bool coupled = matrix_.couplings.touches(g);
-    solver.prepare_group({g, matrix_.bands.group(g), b_.group(g), coupled}, solution_.group(g));
+    const GroupSystem system{g, matrix_.bands.group(g), b_.group(g), coupled};
+    constexpr int at_a_time = 3;
+    for (int first = 0; first < system.bands.rows(); first += at_a_time) {
+      const RowRange rows{first, std::min(first + at_a_time, system.bands.rows())};
+      solver.prepare_rows(system, rows, solution_.group(g));
+    }
   });
   accepted_ = solver.prepare(matrix_);
 }
