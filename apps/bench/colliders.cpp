@@ -68,12 +68,12 @@ class BumpyHead {
   std::filesystem::path path_;
 };
 
-using Points = std::vector<Eigen::Vector3d>;
+using PointList = std::vector<Eigen::Vector3d>;
 
 /// The vertices of the hairball standing on the head, or, with all that sticks out scaled down so
 /// far that none is more than a centimetre away, lying on it.
-Points positions_of(const Strands& strands, bool lying) {
-  Points positions;
+PointList positions_of(const Strands& strands, bool lying) {
+  PointList positions;
   double farthest = 0;
   for (int v = 0; v < strands.vertex_count(); ++v) {
     positions.push_back(strands.rest_position(v));
@@ -88,7 +88,7 @@ BenchRow measure_collider(const Registry& registry, const Simulation& simulation
                           const Json& choice, const BenchOptions& options) {
   constexpr double reach = 1e-3;
   const Strands& strands = simulation.model().strands;
-  const Points positions = positions_of(strands, lying);
+  const PointList positions = positions_of(strands, lying);
   const std::vector<EdgeChunk> chunks = make_edge_chunks(strands);
   std::vector<std::unique_ptr<Collider>> colliders;
   colliders.push_back(make_chosen<Collider>(registry, choice));

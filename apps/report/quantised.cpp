@@ -9,7 +9,7 @@
 namespace ringlet {
 namespace {
 
-constexpr double largest = std::numeric_limits<std::uint16_t>::max();
+constexpr double largest_step = std::numeric_limits<std::uint16_t>::max();
 
 /// Small numbers of either sign become small numbers.
 std::uint16_t zigzag(std::uint16_t difference) {
@@ -51,13 +51,13 @@ Quantisation Quantisation::around(const std::vector<std::vector<float>>& frames)
   }
   Quantisation box;
   box.low = low;
-  for (int axis = 0; axis < 3; ++axis) box.step[axis] = (high[axis] - low[axis]) / largest;
+  for (int axis = 0; axis < 3; ++axis) box.step[axis] = (high[axis] - low[axis]) / largest_step;
   return box;
 }
 
 std::array<double, 3> Quantisation::centre() const {
   std::array<double, 3> at;
-  for (int axis = 0; axis < 3; ++axis) at[axis] = low[axis] + 0.5 * largest * step[axis];
+  for (int axis = 0; axis < 3; ++axis) at[axis] = low[axis] + 0.5 * largest_step * step[axis];
   return at;
 }
 
@@ -66,7 +66,7 @@ std::vector<std::uint16_t> Quantisation::quantise(const std::vector<float>& posi
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const double size = step[i % 3];
     const double place = size > 0 ? (positions[i] - low[i % 3]) / size : 0;
-    steps[i] = static_cast<std::uint16_t>(std::clamp(std::round(place), 0.0, largest));
+    steps[i] = static_cast<std::uint16_t>(std::clamp(std::round(place), 0.0, largest_step));
   }
   return steps;
 }

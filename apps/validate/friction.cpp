@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "apps/validate/statics.h"
 
 namespace ringlet {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // A body on a slope sticks where tan(alpha) <= mu, else it slides with the acceleration
 // g (sin(alpha) - mu cos(alpha)).

@@ -2,15 +2,13 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "apps/validate/statics.h"
 
 namespace ringlet {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double length = 1;        // of the free part, m
+constexpr double beam_length = 1;   // of the free part, m
 constexpr double amplitude = 1e-4;  // of the tip, m
 constexpr int steps_a_period = 240;
 constexpr double periods = 3.3;
@@ -64,13 +62,14 @@ void validate_cantilever_modes(const Registry& registry, const ValidationOptions
                                const ValidationOutput& output) {
   const Json scene = [] {
     Json made = validation_scene("vibrating_cantilever");
-    set_clamped_edges(made, 100, length);
+    set_clamped_edges(made, 100, beam_length);
     return made;
   }();
   const double radius = scene["material"]["radius"], density = scene["material"]["density"];
   const double modulus = scene["material"]["youngs_modulus"];
   // sqrt(B / (rho A L^4)) with B / A = E r^2 / 4
-  const double unit = std::sqrt(modulus * radius * radius / (4 * density)) / (length * length);
+  const double unit =
+      std::sqrt(modulus * radius * radius / (4 * density)) / (beam_length * beam_length);
   constexpr std::array squares{3.516015, 22.034492, 61.697214};
   for (std::size_t mode = 0; mode < squares.size(); ++mode) {
     if (options.quick && mode > 0) continue;
@@ -89,7 +88,7 @@ void validate_cantilever_modes(const Registry& registry, const ValidationOptions
 void validate_chain_modes(const Registry& registry, const ValidationOptions& options,
                           const ValidationOutput& output) {
   const Json scene = validation_scene("swinging_chain");
-  const double unit = std::sqrt(9.81 / length);
+  const double unit = std::sqrt(9.81 / beam_length);
   constexpr std::array numbers{1.202413, 2.760039, 4.326864};
   for (std::size_t mode = 0; mode < numbers.size(); ++mode) {
     if (options.quick && mode > 0) continue;

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "apps/validate/end_moment.h"
 #include "apps/validate/statics.h"
@@ -11,7 +10,6 @@ namespace ringlet {
 namespace {
 
 constexpr double length = 1;  // of the free part, m
-constexpr double pi = std::numbers::pi;
 
 /// From the clamp, which is vertex 1, to the tip, m.
 Eigen::Vector3d clamp_to_tip(const Simulation& simulation) {

@@ -7,14 +7,11 @@
 // by w l^2 / 2 divided by the stiffness of a unit of length.
 
 #include <cmath>
-#include <numbers>
 
 #include "apps/validate/statics.h"
 
 namespace ringlet {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// A helix of a scene, and what bends and twists in it.
 struct Spring {

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <numbers>
 
 #include "apps/validate/validation.h"
 #include "core/simulation.h"
 
 namespace ringlet {
+
+inline constexpr double pi = std::numbers::pi;
 
 /// The simulation of a scene after its steps. Throws Error if one fails, or, where the last one
 /// must be an equilibrium, if Newton's method did not converge.

@@ -10,7 +10,7 @@ namespace ringlet {
 namespace {
 
 /// Of some edges that are looked at.
-constexpr int edges_a_part = 64;
+constexpr int edges_a_query = 64;
 
 auto boxes_at(std::span<const Eigen::Vector3d> positions) {
   return [=](int edge) {
@@ -36,10 +36,10 @@ class FclDetector final : public ContactDetector {
     const auto box_of = boxes_at(positions);
     boxes_->replace(edges, box_of);
     const int count = static_cast<int>(edges.size());
-    const int parts = (count + edges_a_part - 1) / edges_a_part;
+    const int parts = (count + edges_a_query - 1) / edges_a_query;
     find_in_parts(parts, positions, reach, pairs, [&](int part, PairSieve& sieve) {
-      const int begin = part * edges_a_part;
-      boxes_->for_each_pair_with(edges.subspan(begin, std::min(edges_a_part, count - begin)),
+      const int begin = part * edges_a_query;
+      boxes_->for_each_pair_with(edges.subspan(begin, std::min(edges_a_query, count - begin)),
                                  box_of, [&](const EdgePair& pair) { sieve.add(pair); });
     });
   }

@@ -19,7 +19,7 @@ struct Keyframes {
   static Schema<Keyframes> schema();
 };
 
-void check(Keyframes& keys, const std::string& pointer, ParseContext& context) {
+void check_keyframes(Keyframes& keys, const std::string& pointer, ParseContext& context) {
   if (keys.times.empty()) {
     context.problem(pointer_to(pointer, "times"), "expected at least one time");
   }
@@ -50,7 +50,7 @@ Schema<Keyframes> Keyframes::schema() {
       .key("rotations", &Keyframes::rotations, "rad", any_number(),
            "at each time, as axis times angle; none if absent")
       .key("centre", &Keyframes::centre, "m", any_number(), "of the rotations")
-      .check(check);
+      .check(check_keyframes);
 }
 
 Eigen::Quaterniond rotation_by(const Eigen::Vector3d& axis_times_angle) {

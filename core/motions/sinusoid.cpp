@@ -26,7 +26,7 @@ struct Sinusoid {
   static Schema<Sinusoid> schema();
 };
 
-void check(Sinusoid& motion, const std::string& pointer, ParseContext& context) {
+void check_sinusoid(Sinusoid& motion, const std::string& pointer, ParseContext& context) {
   if (motion.end && *motion.end <= motion.start) {
     context.problem(pointer_to(pointer, "end"), "expected a time after start, " +
                                                     Json(motion.start).dump() + " s, found " +
@@ -49,7 +49,7 @@ Schema<Sinusoid> Sinusoid::schema() {
       .key("start", &Sinusoid::start, "s", any_number(), "time before which the motion rests")
       .key("end", &Sinusoid::end, "s", any_number(),
            "time after which the motion is held; never if absent")
-      .check(check);
+      .check(check_sinusoid);
 }
 
 class SinusoidMotion final : public Motion {

@@ -7,14 +7,14 @@
 namespace ringlet {
 namespace {
 
-struct Polyline {
+struct ListedStrand {
   std::vector<Eigen::Vector3d> vertices;
 };
 
 }  // namespace
 
 template <>
-struct Codec<Polyline> {
+struct Codec<ListedStrand> {
   static std::string type() { return "strand [[x, y, z], ...]"; }
   static Json schema(const KeyInfo& key) {
     Json schema = list_schema(vector_schema(key));
@@ -22,7 +22,7 @@ struct Codec<Polyline> {
     return schema;
   }
   static void read(const Json& json, const std::string& pointer, const KeyInfo&,
-                   ParseContext& context, Polyline& out) {
+                   ParseContext& context, ListedStrand& out) {
     if (!json.is_array() || json.size() < 2) {
       context.problem(pointer, "expected a strand of at least 2 vertices [[x, y, z], ...] in m" +
                                    (json.is_array() ? ", found " + std::to_string(json.size())
@@ -43,7 +43,7 @@ struct Codec<Polyline> {
     }
     if (context.problems.size() == problems) out.vertices = std::move(vertices);
   }
-  static Json write(const Polyline& polyline) {
+  static Json write(const ListedStrand& polyline) {
     return Codec<std::vector<Eigen::Vector3d>>::write(polyline.vertices);
   }
 };
@@ -51,7 +51,7 @@ struct Codec<Polyline> {
 namespace {
 
 struct Explicit {
-  std::vector<Polyline> strands;
+  std::vector<ListedStrand> strands;
   int pinned = 2;
   MotionName motion;
 

@@ -6,7 +6,7 @@ namespace ringlet {
 
 namespace {
 
-constexpr double allowed = 1e-11;
+constexpr double allowed_difference = 1e-11;
 
 /// Strands of many lengths: full groups, pads, and strands without an element.
 std::vector<int> strand_sizes(int vertices) {
@@ -68,9 +68,9 @@ double written_on_pads(const BoundEnergy& bound, const Points& x) {
 }  // namespace
 
 void claim_assembly(const Subject& subject, std::vector<Claim>& claims) {
-  Claim apart{"strands do not see each other", allowed};
+  Claim apart{"strands do not see each other", allowed_difference};
   Claim pads{"pads stay untouched", 0};
-  Claim scalar{"lanes compute what plain doubles do", allowed};
+  Claim scalar{"lanes compute what plain doubles do", allowed_difference};
   const bool has_scalar = subject.energy("", {{"evaluation", "scalar"}}) != nullptr;
   std::mt19937_64 random(subject.seed);
   for (const std::string& filter : subject.variants()) {

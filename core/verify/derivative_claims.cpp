@@ -6,13 +6,13 @@ namespace ringlet {
 namespace {
 
 // What can be expected of differences, and the first step relative to an edge.
-constexpr double allowed = 1e-6, first_step = 1e-2;
+constexpr double allowed_by_differences = 1e-6, first_step = 1e-2;
 
 struct DerivativeClaims {
   Claim zero{"value, gradient and Hessian are not zero", 0};
   Claim value{"the value is the same without derivatives", 1e-12};
-  Claim gradient{"the gradient is the derivative of the value", allowed};
-  Claim hessian{"the Hessian is the derivative of the gradient", allowed};
+  Claim gradient{"the gradient is the derivative of the value", allowed_by_differences};
+  Claim hessian{"the Hessian is the derivative of the gradient", allowed_by_differences};
 };
 
 void see_hessian(const Subject& subject, const VerifyState& state, const BoundEnergy& energy,

@@ -6,11 +6,11 @@ namespace ringlet {
 
 namespace {
 
-constexpr double allowed = 1e-7;  // a nearly folded hinge keeps few digits of a small load
+constexpr double allowed_of_holds = 1e-7;  // a nearly folded hinge keeps few digits of a small load
 
 struct HoldingClaims {
-  Claim proportion{"elements that hold a load pull in proportion to it", allowed};
-  Claim direction{"and in the direction of their own force", allowed};
+  Claim proportion{"elements that hold a load pull in proportion to it", allowed_of_holds};
+  Claim direction{"and in the direction of their own force", allowed_of_holds};
 };
 
 /// How far a is from a multiple of b, relative to a.

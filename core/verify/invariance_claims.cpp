@@ -6,14 +6,14 @@ namespace ringlet {
 
 namespace {
 
-constexpr double allowed = 1e-9;
+constexpr double allowed_of_motions = 1e-9;
 
 struct InvarianceClaims {
-  Claim translation{"translations change nothing", allowed};
-  Claim far_away{"far from the origin nothing changes", allowed};
-  Claim rotation{"rotations turn gradient and Hessian", allowed};
-  Claim forces{"forces and their moments add up to zero", allowed};
-  Claim rest{"at rest there is no force", allowed};
+  Claim translation{"translations change nothing", allowed_of_motions};
+  Claim far_away{"far from the origin nothing changes", allowed_of_motions};
+  Claim rotation{"rotations turn gradient and Hessian", allowed_of_motions};
+  Claim forces{"forces and their moments add up to zero", allowed_of_motions};
+  Claim rest{"at rest there is no force", allowed_of_motions};
 };
 
 /// The largest relative error of anything of the probe, of which value and gradient may be small.

@@ -18,14 +18,14 @@ struct PlyParameters {
   }
 };
 
-const char* const source = "G. Turk, The PLY Polygon File Format, 1994";
+const char* const ply_source = "G. Turk, The PLY Polygon File Format, 1994";
 
 }  // namespace
 
 void register_ply(Registry& registry);
 void register_ply(Registry& registry) {
   registry.of<Observer>().add<PlyParameters>(
-      "ply", {"vertices and edges of Turk's format: frames/frame_<step>.ply", "", source},
+      "ply", {"vertices and edges of Turk's format: frames/frame_<step>.ply", "", ply_source},
       [](const PlyParameters& parameters) {
         return std::make_unique<SequenceWriter>(
             "ply", parameters.sequence,
@@ -35,7 +35,7 @@ void register_ply(Registry& registry) {
             });
       });
   registry.of<StrandReader>().add<NoParameters>(
-      "ply", {"vertices and edges of a .ply, text or little endian", "", source},
+      "ply", {"vertices and edges of a .ply, text or little endian", "", ply_source},
       [](const NoParameters&) { return std::make_unique<PlyReader>(); });
 }
 

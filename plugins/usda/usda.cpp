@@ -6,7 +6,7 @@
 namespace ringlet {
 namespace {
 
-const char* const source = "OpenUSD, UsdGeomBasisCurves";
+const char* const usda_source = "OpenUSD, UsdGeomBasisCurves";
 
 /// The first time sample of a .usda file.
 class UsdaStrands final : public StrandReader {
@@ -25,10 +25,10 @@ class UsdaStrands final : public StrandReader {
 void register_usda(Registry& registry);
 void register_usda(Registry& registry) {
   registry.of<Observer>().add<UsdaParameters>(
-      "usda", {"curves with time samples for Houdini, Blender, Maya: run.usda", "", source},
+      "usda", {"curves with time samples for Houdini, Blender, Maya: run.usda", "", usda_source},
       [](const UsdaParameters& parameters) { return std::make_unique<UsdaWriter>(parameters); });
   registry.of<StrandReader>().add<NoParameters>(
-      "usda", {"linear curves of a .usda, in metres, of the first time sample", "", source},
+      "usda", {"linear curves of a .usda, in metres, of the first time sample", "", usda_source},
       [](const NoParameters&) { return std::make_unique<UsdaStrands>(); });
 }
 

@@ -6,7 +6,7 @@
 namespace ringlet {
 namespace {
 
-const char* const source = "VTK file formats, XML PolyData";
+const char* const vtp_source = "VTK file formats, XML PolyData";
 
 class VtpStrands final : public StrandReader {
  public:
@@ -32,10 +32,10 @@ void register_vtp(Registry& registry);
 void register_vtp(Registry& registry) {
   registry.of<Observer>().add<VtpParameters>(
       "vtp",
-      {"polylines for ParaView: frames/frame_<step>.vtp and their index run.pvd", "", source},
+      {"polylines for ParaView: frames/frame_<step>.vtp and their index run.pvd", "", vtp_source},
       [](const VtpParameters& parameters) { return std::make_unique<VtpWriter>(parameters); });
   registry.of<StrandReader>().add<NoParameters>(
-      "vtp", {"polylines of a .vtp that ringlet wrote", "", source},
+      "vtp", {"polylines of a .vtp that ringlet wrote", "", vtp_source},
       [](const NoParameters&) { return std::make_unique<VtpStrands>(); });
 }
 
