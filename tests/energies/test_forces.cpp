@@ -50,6 +50,7 @@ void check_derivatives(const Json& json) {
   REQUIRE(probe.gradient.norm() > 0);
   CHECK(step.value(step.x) == Approx(probe.value).epsilon(1e-13));
   CHECK(probe.asymmetry <= 1e-14 * probe.hessian.norm());
+  CHECK(step.force->has_hessian() == (probe.hessian.norm() > 0));
   for (int i = 0; i < probe.gradient.size(); ++i) {
     Points above = step.x, below = step.x;
     above.reshaped()(i) += 1e-4;

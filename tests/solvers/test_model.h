@@ -49,7 +49,10 @@ class PointForce final : public Force {
 /// Gravity: minus m g . x.
 class Weight final : public Force {
  public:
-  explicit Weight(const Eigen::Vector3d& acceleration) : acceleration_(acceleration) {}
+  /// It may claim a Hessian, which is zero.
+  explicit Weight(const Eigen::Vector3d& acceleration, bool claims_hessian = false)
+      : acceleration_(acceleration), claims_hessian_(claims_hessian) {}
+  bool has_hessian() const override { return claims_hessian_; }
   void bind(const Strands& strands, const StrandGroups& groups) override;
   void begin_step(const StepStart&) override {}
   double add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const override {
@@ -58,6 +61,7 @@ class Weight final : public Force {
 
  private:
   Eigen::Vector3d acceleration_;
+  bool claims_hessian_;
   std::unique_ptr<PointTerm> term_;
 };
 
