@@ -207,12 +207,14 @@ concept GeometricKernel = ValueKernel<Kernel> &&
 /// A kernel that also gives its derivatives in closed form: returns the value, and adds gradient
 /// and Hessian as the filter asks. It is never asked for a numeric filter.
 template <class Kernel>
-concept ClosedFormKernel = GeometricKernel<Kernel> || ValueKernel<Kernel> &&
-    requires(const Kernel& kernel, const Stencil<double, Kernel::vertices>& x,
-             const typename Kernel::template Rest<double>& rest, Filter filter,
-             ElementOutputs<double, Kernel::vertices> outputs) {
-  { kernel.evaluate(x, rest, filter, outputs) } -> std::same_as<double>;
-};
+concept ClosedFormKernel = GeometricKernel<Kernel> ||
+    (ValueKernel<Kernel>&& requires(const Kernel& kernel,
+                                    const Stencil<double, Kernel::vertices>& x,
+                                    const typename Kernel::template Rest<double>& rest,
+                                    Filter filter,
+                                    ElementOutputs<double, Kernel::vertices> outputs) {
+      { kernel.evaluate(x, rest, filter, outputs) } -> std::same_as<double>;
+    });
 
 /// Whether an element can be given a rest state with which it pulls as wanted where it is.
 enum class Hold {
