@@ -12,7 +12,7 @@ constexpr double preference = 0.01;  // e, for the middle of the segments
 constexpr int corrections = 2;
 
 template <class S>
-S growth(const SegmentProximity<S>& at) {
+S gap_growth(const SegmentProximity<S>& at) {
   const S s = at.s - S(0.5), t = at.t - S(0.5);
   return S(1) + S(preference) * (s * s + t * t);
 }
@@ -25,16 +25,16 @@ struct Gap {
 };
 
 // At the minimum, grad |p - q|^2 + m grad ((s - 1/2)^2 + (t - 1/2)^2) = 0 with
-// m = e |p - q|^2 / growth: for a fixed m that of a quadratic function.
+// m = e |p - q|^2 / gap_growth: for a fixed m that of a quadratic function.
 template <class S>
 Gap<S> measure(const Vector3<S>& p0, const Vector3<S>& p1, const Vector3<S>& q0,
                const Vector3<S>& q1, double reach) {
   SegmentProximity<S> at = closest_points(p0, p1, q0, q1);
   if (!any(at.squared_distance < S(reach * reach))) return {sqrt(at.squared_distance), {}, {}};
   for (int i = 0; i < corrections; ++i) {
-    at = closest_points(p0, p1, q0, q1, S(S(preference) * at.squared_distance / growth(at)));
+    at = closest_points(p0, p1, q0, q1, S(S(preference) * at.squared_distance / gap_growth(at)));
   }
-  const S stretch = sqrt(growth(at)), apart = sqrt(at.squared_distance);
+  const S stretch = sqrt(gap_growth(at)), apart = sqrt(at.squared_distance);
   const Vector3<S> difference = (p0 - q0) + at.s * (p1 - p0) - at.t * (q1 - q0);
   return {stretch * apart,
           {stretch * (S(1) - at.s), stretch * at.s, stretch * (at.t - S(1)), -stretch * at.t},

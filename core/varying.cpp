@@ -11,7 +11,7 @@ namespace ringlet {
 namespace {
 
 /// Of a scene, in the order of Varying::By.
-constexpr const char* keys[] = {"", "by_strand", "by_vertex", "root_to_tip"};
+constexpr const char* varying_keys[] = {"", "by_strand", "by_vertex", "root_to_tip"};
 
 /// Numbers of a text file between spaces, line ends or commas; a # begins a comment.
 std::vector<double> read_numbers(const std::filesystem::path& file) {
@@ -60,13 +60,13 @@ Json Codec<Varying>::schema(const KeyInfo& key) {
   Json from_root_to_tip = list;
   from_root_to_tip["minItems"] = 2;
   std::vector<Json> alternatives{number};
-  for (std::size_t by = 1; by < std::size(keys); ++by) {
+  for (std::size_t by = 1; by < std::size(varying_keys); ++by) {
     const bool along = static_cast<Varying::By>(by) == Varying::By::length;
     const Json numbers =
         along ? from_root_to_tip : choice_schema({list, Codec<ScenePath>::schema(key)});
     alternatives.push_back({{"type", "object"},
-                            {"properties", {{keys[by], numbers}}},
-                            {"required", Json::array({keys[by]})},
+                            {"properties", {{varying_keys[by], numbers}}},
+                            {"required", Json::array({varying_keys[by]})},
                             {"additionalProperties", false}});
   }
   return choice_schema(std::move(alternatives));
@@ -82,8 +82,9 @@ void Codec<Varying>::read(const Json& json, const std::string& pointer, const Ke
     number.type = Codec<double>::type();
     Codec<double>::read(json, pointer, number, context, result.numbers_.front());
   } else {
-    for (std::size_t by = 1; by < std::size(keys); ++by) {
-      if (json.size() == 1 && json.contains(keys[by])) result.by_ = static_cast<Varying::By>(by);
+    for (std::size_t by = 1; by < std::size(varying_keys); ++by) {
+      if (json.size() == 1 && json.contains(varying_keys[by]))
+        result.by_ = static_cast<Varying::By>(by);
     }
     if (result.by_ == Varying::By::all) {
       context.problem(pointer, info.expected() + " with a list or file of numbers");
@@ -134,7 +135,7 @@ void Codec<Varying>::read_file(const Json& json, const std::string& pointer, con
 
 Json Codec<Varying>::write(const Varying& value) {
   if (value.by_ == Varying::By::all) return value.numbers_.front();
-  const char* key = keys[static_cast<std::size_t>(value.by_)];
+  const char* key = varying_keys[static_cast<std::size_t>(value.by_)];
   if (!value.file_.empty()) return {{key, value.file_.string()}};
   return {{key, value.numbers_}};
 }

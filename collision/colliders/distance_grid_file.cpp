@@ -31,13 +31,13 @@ std::uint64_t hash(std::string_view bytes, std::uint64_t seed = 1469598103934665
 }
 
 template <class T>
-std::string_view bytes_of(const T* first, std::size_t count) {
+std::string_view chars_of(const T* first, std::size_t count) {
   return {reinterpret_cast<const char*>(first), count * sizeof(T)};
 }
 
 template <class T>
 void append(std::string& bytes, const T& value) {
-  bytes += bytes_of(&value, 1);
+  bytes += chars_of(&value, 1);
 }
 
 /// Copies numbers from the front of the bytes; false if these are too few.
@@ -71,8 +71,8 @@ std::optional<DistanceGrid> grid_of(std::string_view bytes, const GridOrigin& ex
 
 std::uint64_t hash_mesh(const IndexedTriangles& mesh) {
   static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double));
-  const std::uint64_t vertices = hash(bytes_of(mesh.vertices.data(), mesh.vertices.size()));
-  return hash(bytes_of(mesh.triangles.data(), mesh.triangles.size()), vertices);
+  const std::uint64_t vertices = hash(chars_of(mesh.vertices.data(), mesh.vertices.size()));
+  return hash(chars_of(mesh.triangles.data(), mesh.triangles.size()), vertices);
 }
 
 std::optional<DistanceGrid> read_distance_grid(const std::filesystem::path& file,
@@ -99,8 +99,8 @@ void write_distance_grid(const DistanceGrid& grid, const GridOrigin& origin,
   append(bytes, grid.origin);
   append(bytes, grid.blocks);
   append(bytes, static_cast<std::int32_t>(grid.distances.size() / DistanceGrid::block_nodes));
-  bytes += bytes_of(grid.block_at.data(), grid.block_at.size());
-  bytes += bytes_of(grid.distances.data(), grid.distances.size());
+  bytes += chars_of(grid.block_at.data(), grid.block_at.size());
+  bytes += chars_of(grid.distances.data(), grid.distances.size());
   append(bytes, hash(bytes));
   AtomicFile output(file);
   output.stream() << bytes;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double between(std::mt19937_64& random, double low, double high) {
+double random_between(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
@@ -45,7 +45,7 @@ const char* shape_name(Shape shape) {
 
 Points random_points(std::mt19937_64& random, int count) {
   Points points(3, count);
-  for (double& value : points.reshaped()) value = between(random, -1, 1);
+  for (double& value : points.reshaped()) value = random_between(random, -1, 1);
   return points;
 }
 
@@ -57,9 +57,9 @@ Eigen::Matrix3d random_rotation(std::mt19937_64& random) {
 }
 
 Points random_strand(std::mt19937_64& random, int vertices, Shape shape, double nearly) {
-  const double small = nearly * between(random, 0.5, 1);
-  double bend = between(random, 0.3, 2.8), torsion = between(random, -3, 3);
-  const double last_bend = between(random, 0.3, 2.8);
+  const double small = nearly * random_between(random, 0.5, 1);
+  double bend = random_between(random, 0.3, 2.8), torsion = random_between(random, -3, 3);
+  const double last_bend = random_between(random, 0.3, 2.8);
   if (shape == Shape::nearly_straight || shape == Shape::straight_end) bend = small;
   if (shape == Shape::nearly_folded) bend = pi - small;
   if (shape == Shape::nearly_cis) torsion = small;
@@ -67,11 +67,11 @@ Points random_strand(std::mt19937_64& random, int vertices, Shape shape, double 
 
   // The second edge lies along x; bend is the angle by which the strand turns at its start.
   Points x = Points::Zero(3, 4);
-  x.col(0) = between(random, 0.5, 2) * Eigen::Vector3d(-std::cos(bend), std::sin(bend), 0);
-  x.col(2) = Eigen::Vector3d(between(random, 0.5, 2), 0, 0);
+  x.col(0) = random_between(random, 0.5, 2) * Eigen::Vector3d(-std::cos(bend), std::sin(bend), 0);
+  x.col(2) = Eigen::Vector3d(random_between(random, 0.5, 2), 0, 0);
   const Eigen::Vector3d last(std::cos(last_bend), std::sin(last_bend) * std::cos(torsion),
                              std::sin(last_bend) * std::sin(torsion));
-  x.col(3) = x.col(2) + between(random, 0.5, 2) * last;
+  x.col(3) = x.col(2) + random_between(random, 0.5, 2) * last;
   const Eigen::Matrix3d rotation = random_rotation(random);
   const Eigen::Vector3d origin = random_points(random, 1);
   const Points placed = (rotation * x).colwise() + origin;

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "plugins/render/colour.h"
 
 namespace ringlet {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 /// Tilt of the cuticle's scales, and widths of the lobes along the hair, rad.
 constexpr float tilt = 0.05F;
 constexpr float width_r = 0.14F, width_tt = 0.10F, width_trt = 0.24F;

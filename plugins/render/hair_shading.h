@@ -1,10 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <numbers>
 
 #include "plugins/render/render_parameters.h"
 
 namespace ringlet {
+
+inline constexpr float pi = std::numbers::pi_v<float>;
 
 /// Red, green and blue, linear.
 using Rgb = Eigen::Array3f;

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "plugins/render/colour.h"
 #include "plugins/render/hash.h"
@@ -11,7 +10,6 @@
 namespace ringlet {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 /// Parts of the light on a white surface that faces the key light and the sky.
 constexpr float key_part = 0.7F, sky_part = 0.3F;
 
