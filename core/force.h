@@ -17,14 +17,14 @@ class Force : public Named {
   virtual void bind(const Strands& strands, const StrandGroups& groups) = 0;
   /// As Energy::vanishes().
   virtual bool vanishes() const { return false; }
-  /// Whether it has a Hessian at all.
+  /// False promises that add() never adds to the Hessian: rows of the matrix are complete without
+  /// it then.
   virtual bool has_hessian() const { return true; }
   virtual void begin_step(const StepStart& start) = 0;
   /// As Energy::changing_data(), of what does not follow from StepStart alone.
   virtual std::span<std::byte> changing_data() { return {}; }
   /// As Energy::add, for the incremental potential and with derivatives with respect to the
   /// vertices.
-  /// The Hessian is wanted only if it has one.
   virtual double add(int group, std::span<const Vector3<Pack>> x, GroupOutputs outputs) const = 0;
 };
 

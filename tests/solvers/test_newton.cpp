@@ -135,7 +135,7 @@ TEST_CASE("an indefinite Hessian is made definite with mass") {
                         [](int, const Eigen::Vector3d& x) { return double_well(x); }));
   for (const char* solver : {"strand_cholesky", "cholesky", "pcg", "jacobi"}) {
     INFO(solver);
-    model->solver = make_solver(Json(solver));
+    model->solver = make_solver(solver);
     model->solver->bind(model->groups);
     State state = rest_state(*model);
     for (int v = 0; v < 9; ++v) state.positions.set(v, {0.1, 0.02 * v, -0.05});
