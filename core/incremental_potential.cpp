@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "core/parallel.h"
@@ -109,25 +110,24 @@ IncrementalPotential::IncrementalPotential(const Model& model, const VertexField
     : model_(model),
       target_(inertial_target),
       terms_of_groups_(model.groups.count() * term_count()),
-      squared_gradients_(model.groups.count()),
+      of_groups_(model.groups.count()),
       coupling_values_(model.couplings.size()) {
   set_effective_step(h);
 }
 
-double IncrementalPotential::inertia(int group, const VertexField& x) const {
-  const auto rows = x.group(group), target = target_.group(group);
+double IncrementalPotential::inertia(int group, ConstRows x) const {
+  const auto target = target_.group(group);
   const Pack* mass = &model_.mass[model_.groups[group].first_row];
   Pack sum = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) sum += mass[i] * squared_norm(rows[i] - target[i]);
+  for (std::size_t i = 0; i < x.size(); ++i) sum += mass[i] * squared_norm(x[i] - target[i]);
   return 0.5 * inverse_h2_ * sum_lanes(sum);
 }
 
-void IncrementalPotential::add_energies(int group, const VertexField& x, EdgeOutputs outputs,
+void IncrementalPotential::add_energies(int group, ConstRows x, EdgeOutputs outputs,
                                         std::span<double> terms) const {
   for (std::size_t e = 0; e < model_.energies.size(); ++e) {
     const Energy& energy = *model_.energies[e];
-    terms[e + 1] = naming(energy, sample_of(group),
-                          [&] { return energy.add(group, x.group(group), outputs); });
+    terms[e + 1] = naming(energy, sample_of(group), [&] { return energy.add(group, x, outputs); });
   }
 }
 
@@ -140,16 +140,15 @@ TimeSample IncrementalPotential::sample_of(int group) const {
 }
 
 template <class IsWanted>
-void IncrementalPotential::add_forces(int group, const VertexField& x, GroupOutputs outputs,
+void IncrementalPotential::add_forces(int group, ConstRows x, GroupOutputs outputs,
                                       std::span<double> terms, const IsWanted& is_wanted) const {
   for (const auto& force : model_.forces) {
     if (!is_wanted(*force)) continue;
-    terms.back() += naming(*force, sample_of(group),
-                           [&] { return force->add(group, x.group(group), outputs); });
+    terms.back() += naming(*force, sample_of(group), [&] { return force->add(group, x, outputs); });
   }
 }
 
-void IncrementalPotential::sum_terms(PotentialTerms& total) {
+void IncrementalPotential::sum_terms(PotentialTerms& total) const {
   total.inertia = total.forces = 0;
   total.energies.assign(model_.energies.size(), 0.0);
   for (int g = 0; g < model_.groups.count(); ++g) {
@@ -162,8 +161,8 @@ void IncrementalPotential::sum_terms(PotentialTerms& total) {
   total.contacts = contact_value_;
 }
 
-void IncrementalPotential::add_values(int group, const VertexField& x) {
-  const std::span of_group = terms_of(group);
+void IncrementalPotential::value_of_group(int group, ConstRows x) {
+  const std::span of_group = writable_terms(group);
   of_group.front() = inertia(group, x);
   of_group.back() = 0;
   add_energies(group, x, {}, of_group);
@@ -176,7 +175,7 @@ std::span<const Pack> IncrementalPotential::free_of(int group) const {
 }
 
 void IncrementalPotential::value(const VertexField& x, PotentialTerms& terms) {
-  parallel_for_each(model_.groups.count(), [&](int g) { add_values(g, x); });
+  parallel_for_each(model_.groups.count(), [&](int g) { value_of_group(g, x.group(g)); });
   add_coupled(x, nullptr);
   sum_terms(terms);
 }
@@ -201,63 +200,56 @@ void IncrementalPotential::assemble(const VertexField& x, VertexField& gradient,
                                     SystemMatrix& matrix, LinearSolver& solver,
                                     VertexField& direction, Assembled& result, double added) {
   if (solver.band_factor() == nullptr) matrix.keep_bands();
-  const Assembly assembly{x, matrix, solver, inverse_h2_ + added};
   parallel_for_each(model_.groups.count(), [&](int g) {
-    assemble_group(g, assembly, gradient.group(g), direction.group(g));
+    const GroupRows rows{x.group(g), gradient.group(g), direction.group(g), added};
+    of_groups_[g] = assemble_group(g, rows, matrix, solver);
   });
-  sum_groups(result);
+  sum_terms(result.terms);
+  result.squared_gradient = 0;
+  result.usable = true;
+  for (const GroupAssembled& of_group : of_groups_) {
+    result.squared_gradient += of_group.squared_gradient;
+    result.usable &= of_group.usable;
+  }
 }
 
-void IncrementalPotential::solve_groups(const VertexField& x, SystemMatrix& matrix,
-                                        LinearSolver& solver,
-                                        const std::function<void(const SolvedGroup&)>& see,
-                                        Assembled& result, double added) {
-  const Assembly assembly{x, matrix, solver, inverse_h2_ + added};
-  parallel_for_each(model_.groups.count(), [&](int g) {
-    const std::span gradient = matrix.temporary_gradient(g);
-    const std::span direction = matrix.temporary_direction(g);
-    assemble_group(g, assembly, gradient, direction);
-    see({g, gradient, direction});
-  });
-  sum_groups(result);
-}
-
-void IncrementalPotential::assemble_group(int group, const Assembly& assembly,
-                                          std::span<Vector3<Pack>> gradient,
-                                          std::span<Vector3<Pack>> direction) {
-  const auto& [x, matrix, solver, mass_weight] = assembly;
+IncrementalPotential::GroupAssembled IncrementalPotential::assemble_group(int group,
+                                                                          const GroupRows& rows,
+                                                                          SystemMatrix& matrix,
+                                                                          LinearSolver& solver) {
+  const auto& [x, gradient, direction, added] = rows;
   std::fill(gradient.begin(), gradient.end(), Vector3<Pack>{0, 0, 0});
   const bool keep_bands = solver.band_factor() == nullptr;
+  GroupAssembled result{.usable = true};
   if (!keep_bands && is_held(free_of(group))) {
-    add_values(group, x);
-    squared_gradients_[group] = 0;
+    value_of_group(group, x);
     std::fill(direction.begin(), direction.end(), Vector3<Pack>{0, 0, 0});
-    return;
+    return result;
   }
   const GroupOutputs outputs{
       gradient, keep_bands ? matrix.bands.group(group) : matrix.temporary_bands(group)};
   const GroupSystem system{group, outputs.hessian, gradient, matrix.couplings.touches(group)};
-  const std::span terms = terms_of(group);
+  const std::span terms = writable_terms(group);
   terms.back() = terms.front() = 0;
   matrix.couplings.add_gradient(group, gradient);
   add_forces(group, x, {gradient, {}}, terms, std::not_fn(has_hessian));
   EdgeDerivatives& edges = matrix.temporary_edges(group);
   add_energies(group, x, edges.outputs(), terms);
 
-  squared_gradients_[group] = 0;
   const RowRange all{0, outputs.hessian.rows()};
   if (has_edges_only(group, matrix.couplings)) {
     for (int first = 0; first < all.end; first += rows_at_a_time) {
-      const RowRange rows{first, std::min(first + rows_at_a_time, all.end)};
-      terms.front() += write_rows(group, rows, assembly, edges, outputs);
-      prepare_rows(system, rows, solver, outputs, direction);
+      const RowRange some{first, std::min(first + rows_at_a_time, all.end)};
+      terms.front() += write_rows(group, some, rows, edges, outputs.hessian);
+      prepare_rows(system, some, rows, solver, result);
     }
   } else {
-    terms.front() = write_rows(group, all, assembly, edges, outputs);
+    terms.front() = write_rows(group, all, rows, edges, outputs.hessian);
     add_forces(group, x, outputs, terms, has_hessian);
     matrix.couplings.add_to_bands(group, outputs.hessian);
-    prepare_rows(system, all, solver, outputs, direction);
+    prepare_rows(system, all, rows, solver, result);
   }
+  return result;
 }
 
 bool IncrementalPotential::has_edges_only(int group, const Couplings& couplings) const {
@@ -266,35 +258,32 @@ bool IncrementalPotential::has_edges_only(int group, const Couplings& couplings)
                       [](const auto& force) { return has_hessian(*force); });
 }
 
-double IncrementalPotential::write_rows(int group, RowRange range, const Assembly& assembly,
-                                        EdgeDerivatives& edges, const GroupOutputs& outputs) const {
-  const auto rows = assembly.x.group(group), target = target_.group(group);
+double IncrementalPotential::write_rows(int group, RowRange range, const GroupRows& rows,
+                                        EdgeDerivatives& edges, GroupBands hessian) const {
+  const auto target = target_.group(group);
   const Pack* mass = &model_.mass[model_.groups[group].first_row];
+  const double mass_weight = inverse_h2_ + rows.added;
   Pack inertia = 0;
   for (int i = range.first; i < range.end; ++i) {
-    const Vector3<Pack> apart = rows[i] - target[i];
+    const Vector3<Pack> apart = rows.x[i] - target[i];
     inertia += mass[i] * squared_norm(apart);
-    Matrix3<Pack>* row = &outputs.hessian.block(i, 0);
+    Matrix3<Pack>* row = &hessian.block(i, 0);
     const Vector3<Pack> elastic = edges.take_row(i, row);
-    outputs.gradient[i] += elastic + Pack(inverse_h2_ * mass[i]) * apart;
-    for (int c = 0; c < 3; ++c) (*row)(c, c) += assembly.mass_weight * mass[i];
+    rows.gradient[i] += elastic + Pack(inverse_h2_ * mass[i]) * apart;
+    for (int c = 0; c < 3; ++c) (*row)(c, c) += mass_weight * mass[i];
   }
   return 0.5 * inverse_h2_ * sum_lanes(inertia);
 }
 
-void IncrementalPotential::prepare_rows(const GroupSystem& system, RowRange rows,
-                                        LinearSolver& solver, const GroupOutputs& outputs,
-                                        std::span<Vector3<Pack>> direction) {
+void IncrementalPotential::prepare_rows(const GroupSystem& system, RowRange range,
+                                        const GroupRows& rows, LinearSolver& solver,
+                                        GroupAssembled& result) const {
   const std::span free = free_of(system.group);
-  squared_gradients_[system.group] += pin_gradient(outputs.gradient, rows, free);
-  pin_rows(outputs.hessian, rows, free);
-  naming(solver, sample_of(system.group), [&] { solver.prepare_rows(system, rows, direction); });
-}
-
-void IncrementalPotential::sum_groups(Assembled& result) {
-  sum_terms(result.terms);
-  result.squared_gradient =
-      std::accumulate(squared_gradients_.begin(), squared_gradients_.end(), 0.0);
+  result.squared_gradient += pin_gradient(rows.gradient, range, free);
+  if (!result.usable) return;
+  pin_rows(system.bands, range, free);
+  result.usable = naming(solver, sample_of(system.group),
+                         [&] { return solver.prepare_rows(system, range, rows.direction); });
 }
 
 std::optional<std::string> find_non_finite(const Model& model, const VertexField& x) {

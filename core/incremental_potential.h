@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -42,7 +41,7 @@ class IncrementalPotential {
 
   void value(const VertexField& x, PotentialTerms& terms);
   std::size_t bytes() const {
-    return bytes_of(terms_of_groups_) + bytes_of(squared_gradients_) + bytes_of(coupling_values_);
+    return bytes_of(terms_of_groups_) + bytes_of(of_groups_) + bytes_of(coupling_values_);
   }
 
   /// Collects the couplings at x, and the contacts that the collision stage has detected, in the
@@ -52,65 +51,65 @@ class IncrementalPotential {
   struct Assembled {
     PotentialTerms terms;
     double squared_gradient = 0;  ///< |grad Phi|^2, N^2
+    bool usable = false;          ///< for the linear solver, as far as prepare_rows() tells
   };
   /// Value, gradient and filtered Hessian A plus `added` M, with the matrix's couplings; gradient
   /// is zero and the matrix identity at pinned vertices. Each group's bands are handed to the
-  /// solver's prepare_group() when complete, which may already solve A x = gradient into the
+  /// solver's prepare_rows() when complete, which may already solve A x = gradient into the
   /// direction; but for a solver with a band factor not those of groups where nothing is free.
   void assemble(const VertexField& x, VertexField& gradient, SystemMatrix& matrix,
                 LinearSolver& solver, VertexField& direction, Assembled& result, double added = 0);
-  /// What belongs to one group, solved.
-  struct SolvedGroup {
-    int group;
-    std::span<const Vector3<Pack>> gradient, direction;
+
+  // One group at a time, from several threads at once for different ones. All groups together are
+  // the whole where nothing couples strands.
+  using Rows = std::span<Vector3<Pack>>;
+  using ConstRows = std::span<const Vector3<Pack>>;
+  /// What a group is assembled from, and to.
+  struct GroupRows {
+    ConstRows x;
+    Rows gradient, direction;
+    double added = 0;
   };
-  /// The same where the model may not couple strands, for a solver with a band factor: gradient and
-  /// direction are not kept, but those of each group shown to `see` while they are warm in cache;
-  /// from several threads at once.
-  void solve_groups(const VertexField& x, SystemMatrix& matrix, LinearSolver& solver,
-                    const std::function<void(const SolvedGroup&)>& see, Assembled& result,
-                    double added = 0);
+  /// What assemble_group() computes, beside what it writes.
+  struct GroupAssembled {
+    double squared_gradient = 0;
+    bool usable = false;
+  };
+  void value_of_group(int group, ConstRows x);
+  /// As assemble(), with the matrix's temporary bands for a solver with a band factor.
+  GroupAssembled assemble_group(int group, const GroupRows& rows, SystemMatrix& matrix,
+                                LinearSolver& solver);
+  /// The terms of a group where it was last evaluated, J: inertia, energies, the sum of the forces.
+  std::span<const double> terms_of(int group) const {
+    return std::span(terms_of_groups_).subspan(group * term_count(), term_count());
+  }
+  /// Their sums over the groups; couplings and contacts as they were last evaluated.
+  void sum_terms(PotentialTerms& total) const;
 
  private:
-  double inertia(int group, const VertexField& x) const;
-  /// Of one group: inertia, the energies, and the sum of the forces.
-  void add_energies(int group, const VertexField& x, EdgeOutputs outputs,
-                    std::span<double> terms) const;
+  double inertia(int group, ConstRows x) const;
+  void add_energies(int group, ConstRows x, EdgeOutputs outputs, std::span<double> terms) const;
   template <class IsWanted>
-  void add_forces(int group, const VertexField& x, GroupOutputs outputs, std::span<double> terms,
+  void add_forces(int group, ConstRows x, GroupOutputs outputs, std::span<double> terms,
                   const IsWanted& is_wanted) const;
-  /// All of these values.
-  void add_values(int group, const VertexField& x);
   std::span<const Pack> free_of(int group) const;
   /// Of the calls for a group: the clock is looked at in some of them, since that takes as long as
   /// some elements.
   TimeSample sample_of(int group) const;
   std::size_t term_count() const { return model_.energies.size() + 2; }
-  std::span<double> terms_of(int group) {
+  std::span<double> writable_terms(int group) {
     return std::span(terms_of_groups_).subspan(group * term_count(), term_count());
   }
-  /// What the groups are assembled for.
-  struct Assembly {
-    const VertexField& x;
-    SystemMatrix& matrix;
-    LinearSolver& solver;
-    double mass_weight;  ///< of M in the Hessian, 1/s^2
-  };
-  /// Writes the gradient of a group, and what the solver solves.
-  void assemble_group(int group, const Assembly& assembly, std::span<Vector3<Pack>> gradient,
-                      std::span<Vector3<Pack>> direction);
   /// Whether nothing in a group but edges and masses has a Hessian: the rows of its matrix are then
   /// complete one after the other.
   bool has_edges_only(int group, const Couplings& couplings) const;
   /// Inertia, whose value is returned, and energies: adds to rows of the gradient, and writes those
   /// of the Hessian.
-  double write_rows(int group, RowRange range, const Assembly& assembly, EdgeDerivatives& edges,
-                    const GroupOutputs& outputs) const;
-  /// Hands complete rows to the solver.
-  void prepare_rows(const GroupSystem& system, RowRange rows, LinearSolver& solver,
-                    const GroupOutputs& outputs, std::span<Vector3<Pack>> direction);
-  void sum_groups(Assembled& result);
-  void sum_terms(PotentialTerms& total);
+  double write_rows(int group, RowRange range, const GroupRows& rows, EdgeDerivatives& edges,
+                    GroupBands hessian) const;
+  /// Hands complete rows to the solver, unless it has refused some before.
+  void prepare_rows(const GroupSystem& system, RowRange range, const GroupRows& rows,
+                    LinearSolver& solver, GroupAssembled& result) const;
   /// Values of couplings and contacts; what they add goes where it is wanted.
   void add_coupled(const VertexField& x, Couplings* couplings);
 
@@ -118,7 +117,7 @@ class IncrementalPotential {
   const VertexField& target_;
   double inverse_h2_ = 0;
   std::vector<double> terms_of_groups_;  // term_count() of each
-  std::vector<double> squared_gradients_;
+  std::vector<GroupAssembled> of_groups_;
   std::vector<double> coupling_values_;  ///< of each coupling, where they were last added
   double contact_value_ = 0;
 };

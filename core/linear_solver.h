@@ -33,7 +33,9 @@ class BandFactor {
 };
 
 /// Solves A x = b for the symmetric matrix of a Newton step. A solver can be the preconditioner of
-/// another one. Usage a Newton iteration: prepare_rows() for all rows, prepare(), solve()...
+/// another one. Usage a Newton iteration: prepare_rows() for all rows, prepare(), solve()... Where
+/// nothing couples strands, one with a band factor has solved in prepare_rows(), and nothing else
+/// is called.
 class LinearSolver : public Named {
  public:
   virtual ~LinearSolver() = default;
@@ -50,16 +52,17 @@ class LinearSolver : public Named {
   /// Called as soon as the next rows of the system of a group are complete, while they are warm in
   /// cache, from the root to the tip; from several threads at once, for different groups. A solver
   /// with a band factor makes it here, and has written x = B^-1 b when it returns from the last
-  /// rows; groups in which nothing is free, and whose x is zero, it does not see.
-  virtual void prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>> x) {
+  /// rows; groups in which nothing is free, and whose x is zero, it does not see. Returns false if
+  /// the matrix cannot be used (a pivot that is not positive): no more rows of this group follow.
+  virtual bool prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>> x) {
     (void)system, (void)rows, (void)x;
+    return true;
   }
-  /// Called when all groups are complete. Returns false if the matrix cannot be used (a pivot that
-  /// is not positive); solve() must not be called then.
+  /// Called when all groups are complete and could be used. Returns false if the matrix cannot;
+  /// solve() must not be called then.
   virtual bool prepare(const SystemMatrix& a) = 0;
   /// x = A^-1 b, where x holds what prepare_rows() wrote for the same b. The matrix given to
-  /// prepare() is still alive and, but for what prepare_rows() overwrote, unchanged. Not called of
-  /// a solver with a band factor where nothing couples strands: it has solved then.
+  /// prepare() is still alive and, but for what prepare_rows() overwrote, unchanged.
   virtual SolveReport solve(const VertexField& b, VertexField& x) = 0;
   /// z = P^-1 r, P symmetric positive definite and close to A: what a preconditioner without a band
   /// factor does. Unlike solve(), it neither iterates nor reports where a fixed approximation is at

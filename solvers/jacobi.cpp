@@ -41,25 +41,23 @@ class Jacobi final : public LinearSolver {
     groups_ = &groups;
     sum_ = GroupSum(groups);
     inverse_.resize(groups.rows());
-    positive_.assign(groups.count(), false);
   }
   std::size_t bytes() const override {
     return bytes_of(inverse_) + residual_.bytes() + update_.bytes() + next_.bytes();
   }
 
-  void prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>>) override {
+  bool prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>>) override {
     Mask bad(false);
     InverseTriangle* inverse = &inverse_[(*groups_)[system.group].first_row];
     for (int i = rows.first; i < rows.end; ++i) {
       inverse[i] = inverse_cholesky(lower_triangle(system.bands.block(i, 0)), bad);
     }
-    const bool were_positive = rows.first == 0 || positive_[system.group];
-    positive_[system.group] = were_positive && !any(bad);
+    return !any(bad);
   }
 
   bool prepare(const SystemMatrix& a) override {
     matrix_ = &a;
-    return std::find(positive_.begin(), positive_.end(), false) == positive_.end();
+    return true;
   }
 
   void apply(const VertexField& r, VertexField& z) override { precondition(r, z); }
@@ -108,7 +106,6 @@ class Jacobi final : public LinearSolver {
   const SystemMatrix* matrix_ = nullptr;
   GroupSum sum_;
   std::vector<InverseTriangle> inverse_;
-  std::vector<char> positive_;            // not vector<bool>: threads write neighbours at once
   VertexField residual_, update_, next_;  // only as a solver
 };
 

@@ -61,10 +61,10 @@ class Pcg final : public LinearSolver {
     return preconditioner_ ? preconditioner_->band_factor() : nullptr;
   }
 
-  void prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>> x) override {
-    if (!preconditioner_) return;
-    naming<LinearSolver>(preconditioner_->name(),
-                         [&] { preconditioner_->prepare_rows(system, rows, x); });
+  bool prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>> x) override {
+    if (!preconditioner_) return true;
+    return naming<LinearSolver>(preconditioner_->name(),
+                                [&] { return preconditioner_->prepare_rows(system, rows, x); });
   }
 
   bool prepare(const SystemMatrix& a) override {

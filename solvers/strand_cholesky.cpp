@@ -25,27 +25,23 @@ class StrandCholesky final : public LinearSolver, private BandFactor {
   void bind(const StrandGroups& groups) override {
     groups_ = &groups;
     factors_.bind(groups, tolerance_);
-    positive_.assign(groups.count(), true);
   }
 
-  std::size_t bytes() const override { return factors_.bytes() + bytes_of(positive_); }
+  std::size_t bytes() const override { return factors_.bytes(); }
   const BandFactor* band_factor() const override { return this; }
 
-  void prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>> x) override {
-    const int g = system.group;
+  bool prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>> x) override {
     std::copy_n(&system.b[rows.first], rows.count(), &x[rows.first]);
-    if (!factor_rows(system.bands, rows, x)) positive_[g] = false;
-    if (rows.end < system.bands.rows()) return;
+    if (!factor_rows(system.bands, rows, x)) return false;
+    if (rows.end < system.bands.rows()) return true;
     substitute_back(system.bands, x);
-    if (system.coupled && positive_[g]) factors_.keep(g, system.bands, system.b, x);
+    if (system.coupled) factors_.keep(system.group, system.bands, system.b, x);
+    return true;
   }
 
   bool prepare(const SystemMatrix& a) override {
     matrix_ = &a;
-    const bool is_positive =
-        std::find(positive_.begin(), positive_.end(), false) == positive_.end();
-    std::fill(positive_.begin(), positive_.end(), true);
-    return is_positive;
+    return true;
   }
 
   SolveReport solve(const VertexField& b, VertexField& x) override {
@@ -70,8 +66,7 @@ class StrandCholesky final : public LinearSolver, private BandFactor {
   const StrandGroups* groups_ = nullptr;
   const SystemMatrix* matrix_ = nullptr;
   double tolerance_ = 0;
-  KeptFactors factors_;         // of coupled groups
-  std::vector<char> positive_;  // not vector<bool>: threads write neighbours at once
+  KeptFactors factors_;  // of coupled groups
 };
 
 }  // namespace

@@ -39,23 +39,21 @@ class ConjugateResidual final : public LinearSolver {
     groups_ = &groups;
     sum_ = GroupSum(groups);
     inverse_.resize(groups.rows());
-    is_positive_.assign(groups.count(), false);
     residual_ = z_ = image_of_z_ = direction_ = image_ = VertexField(groups);
   }
 
-  void prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>>) override {
+  bool prepare_rows(const GroupSystem& system, RowRange rows, std::span<Vector3<Pack>>) override {
     Mask bad(false);
     InverseTriangle* inverse = &inverse_[(*groups_)[system.group].first_row];
     for (int i = rows.first; i < rows.end; ++i) {
       inverse[i] = inverse_cholesky(lower_triangle(system.bands.block(i, 0)), bad);
     }
-    const bool were_positive = rows.first == 0 || is_positive_[system.group];
-    is_positive_[system.group] = were_positive && !any(bad);
+    return !any(bad);
   }
 
   bool prepare(const SystemMatrix& a) override {
     matrix_ = &a;
-    return std::find(is_positive_.begin(), is_positive_.end(), false) == is_positive_.end();
+    return true;
   }
 
   /// Where the matrix turns out not to be positive definite, the last iterate is returned as not
@@ -133,7 +131,6 @@ class ConjugateResidual final : public LinearSolver {
   const SystemMatrix* matrix_ = nullptr;
   GroupSum sum_;
   std::vector<InverseTriangle> inverse_;  // of the Cholesky factors of D
-  std::vector<char> is_positive_;         // not vector<bool>: threads write neighbours at once
   VertexField residual_, z_, image_of_z_, direction_, image_;
 };
 

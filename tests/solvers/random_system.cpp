@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 #include "core/parallel.h"
 #include "core/read_choice.h"
@@ -224,16 +225,20 @@ Prepared::Prepared(LinearSolver& solver, const SystemMatrix& a, VertexField b)
     : solver_(solver), matrix_(a), b_(std::move(b)), solution_(a.groups()) {
   for (auto& row : solution_.rows()) row = {Pack(3), Pack(4), Pack(5)};  // an old solution
   solver.bind(a.groups());
+  std::atomic<bool> usable = true;
   parallel_for_each(a.groups().count(), [&](int g) {
     const bool coupled = matrix_.couplings.touches(g);
     const GroupSystem system{g, matrix_.bands.group(g), b_.group(g), coupled};
     constexpr int at_a_time = 3;
     for (int first = 0; first < system.bands.rows(); first += at_a_time) {
       const RowRange rows{first, std::min(first + at_a_time, system.bands.rows())};
-      solver.prepare_rows(system, rows, solution_.group(g));
+      if (!solver.prepare_rows(system, rows, solution_.group(g))) {
+        usable = false;
+        return;
+      }
     }
   });
-  accepted_ = solver.prepare(matrix_);
+  accepted_ = usable && solver.prepare(matrix_);
 }
 
 }  // namespace ringlet

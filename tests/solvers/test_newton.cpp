@@ -97,6 +97,98 @@ TEST_CASE("a step is the same, whether rows or whole strands are completed and s
   CHECK(in_rows.energies[0] == Approx(in_all.energies[0]));
 }
 
+namespace {
+
+/// Springs, and a force towards a point above the strands, in which Newton's method overshoots the
+/// more the further away they are.
+std::unique_ptr<Model> make_drawn_model(const std::vector<int>& lengths,
+                                        const std::string& solver) {
+  auto model = make_model(lengths, true);
+  add_energy(*model, std::make_unique<Springs>(0.05));
+  add_force(*model, std::make_unique<PointForce>([](int, const Eigen::Vector3d& x) {
+    return pseudo_huber(x - Eigen::Vector3d(0, 0, 1), 0.2);
+  }));
+  model->solver = make_solver(Json(solver));
+  model->solver->bind(model->groups);
+  return model;
+}
+
+constexpr NewtonParameters until_solved{.newton_iterations = 200, .newton_tolerance = 1e-9};
+
+}  // namespace
+
+TEST_CASE("strands that nothing couples are solved as if there were no others") {
+  // Strands of one length fill a group.
+  const std::vector<int> short_strands(lane_count, 3), long_strands(lane_count, 12);
+  std::vector<int> all = long_strands;
+  all.insert(all.end(), short_strands.begin(), short_strands.end());
+  const auto solved = [](const std::vector<int>& lengths, const Eigen::Matrix3Xd& start) {
+    const auto model = make_drawn_model(lengths, "strand_cholesky");
+    State state = rest_state(*model);
+    for (int v = 0; v < start.cols(); ++v) state.positions.set(v, start.col(v));
+    const StepReport report = minimise(*model, until_solved, state, long_step);
+    REQUIRE(report.newton_converged);
+    return std::pair(state.positions.matrix(), report);
+  };
+  // Strands stand side by side by their number, so that only the first ones stand in the same place
+  // in both models. They begin near where they end.
+  Eigen::Matrix3Xd near_end = solved(long_strands, {}).first;
+  near_end.row(2).array() += 1e-3;
+  const auto [together, of_all] = solved(all, near_end);
+  const auto [alone, of_one] = solved(long_strands, near_end);
+  CHECK(together.leftCols(alone.cols()) == alone);
+  CHECK(of_all.newton_iterations > of_one.newton_iterations);
+  CHECK(of_all.line_search_halvings > of_one.line_search_halvings);
+  CHECK(of_all.energies[0] > of_one.energies[0]);
+}
+
+TEST_CASE("auto tells that every group was solved by itself") {
+  const auto model = make_drawn_model({4, 7}, "auto");
+  State state = rest_state(*model);
+  minimise(*model, until_solved, state, long_step);
+  CHECK(model->solver->account() ==
+        "every system by the factors of its strands: nothing couples any");
+}
+
+TEST_CASE("strands are solved to the same end one group at a time and all at once") {
+  const std::vector<int> lengths = {4, 7, 3, 5, 6, 2, 8, 9, 5, 21};
+  const auto solved = [&](const std::string& solver) {
+    const auto model = make_drawn_model(lengths, solver);
+    State state = rest_state(*model);
+    const StepReport report = minimise(*model, until_solved, state, long_step);
+    REQUIRE(report.newton_converged);
+    return std::pair(state.positions.matrix(), report.energies[0]);
+  };
+  const auto [separate, separate_energy] = solved("strand_cholesky");
+  const auto [coupled, coupled_energy] = solved("cholesky");
+  CHECK((separate - coupled).cwiseAbs().maxCoeff() < 1e-8);
+  CHECK(separate_energy == Approx(coupled_energy));
+}
+
+TEST_CASE("where no step lets the potential fall, the energies are those where x stays") {
+  const std::string solver = GENERATE("strand_cholesky", "cholesky");
+  const auto model = make_model({4}, false);
+  add_energy(*model, std::make_unique<Springs>(20));
+  State state = rest_state(*model);
+  state.positions.set(3, state.positions.get(3) + Eigen::Vector3d(0, 0, 0.5));
+  const Eigen::Matrix3Xd start = state.positions.matrix();
+  // As much more as no spring can give back, for any other place.
+  add_force(*model, std::make_unique<PointForce>([&start](int vertex, const Eigen::Vector3d& x) {
+    const double value = x == start.col(vertex) ? 0 : 1e6;
+    return PointValue{value, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero()};
+  }));
+  model->solver = make_solver(Json(solver));
+  model->solver->bind(model->groups);
+  const double energy = model->energies[0]->add(0, state.positions.group(0), {});
+  const StepReport report = minimise(*model, {}, state, long_step);
+  CHECK(report.failure.empty());
+  CHECK_FALSE(report.newton_converged);
+  CHECK(report.line_search_halvings > 0);
+  CHECK(state.positions.matrix() == start);
+  REQUIRE(energy > 0);
+  CHECK(report.energies[0] == Approx(energy));
+}
+
 TEST_CASE("nothing to do is done at once") {
   const auto model = make_model({4, 7}, true);
   add_energy(*model, std::make_unique<Springs>(20));
@@ -181,6 +273,20 @@ TEST_CASE("a failure says what and where") {
   CHECK_THAT(report.failure, Catch::Contains("Newton iteration 1") &&
                                  Catch::Contains("'force 0'") &&
                                  Catch::Contains("strand 1, vertex 3"));
+  CHECK_FALSE(report.newton_converged);
+}
+
+TEST_CASE("a failure of one group among many is told") {
+  const auto model = make_model(std::vector<int>(5 * lane_count, 4), false);
+  add_energy(*model, std::make_unique<Springs>(20));
+  constexpr int wrong = 4 * (3 * lane_count + 1) + 2;
+  add_force(*model, std::make_unique<PointForce>([](int vertex, const Eigen::Vector3d&) {
+    const double value = vertex == wrong ? std::numeric_limits<double>::infinity() : 0;
+    return PointValue{value, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero()};
+  }));
+  State state = rest_state(*model);
+  const StepReport report = minimise(*model, {}, state, 0.01);
+  CHECK_THAT(report.failure, Catch::Contains("Newton iteration 1: the value of 'force 0'"));
   CHECK_FALSE(report.newton_converged);
 }
 
