@@ -179,14 +179,78 @@ class BatchEnergy final : public Energy, public ElementFunction, public HoldingE
   }
 
   double add_in_lanes(int group, std::span<const Vector3<Pack>> x, EdgeOutputs outputs) const {
-    const Rest<Pack>* rest = &rest_[(*groups_)[group].first_row];
+    const StrandGroup& strands = (*groups_)[group];
+    const Rest<Pack>* rest = &rest_[strands.first_row];
     const bool value_only = outputs.gradient.empty() && outputs.hessian.empty();
-    if (value_only) return sum_lanes(add_values(rest, x));
+    const bool are_few =
+        lane_count - std::count(strands.strands.begin(), strands.strands.end(), -1) <= few_strands;
+    if (value_only) return are_few ? add_values_along(strands, x) : sum_lanes(add_values(rest, x));
     if (element_.filters_numerically() || outputs.gradient.empty() || outputs.hessian.empty()) {
       return sum_lanes(add_apart(rest, x, outputs));
     }
-    return sum_lanes(element_.with_kernel_filter(
-        [&]<Filter filter>() { return add_derivatives<filter>(rest, x, outputs); }));
+    return element_.with_kernel_filter([&]<Filter filter>() {
+      return are_few ? add_derivatives_along<filter>(strands, x, outputs)
+                     : sum_lanes(add_derivatives<filter>(rest, x, outputs));
+    });
+  }
+
+  /// So few strands leave most lanes to pads: consecutive elements of each of them fill the lanes
+  /// instead.
+  static constexpr int few_strands = lane_count / 4;
+
+  /// Elements first, first + 1, ... of the strand in a lane, one a lane; behind the last one, which
+  /// is before `end`, it follows again.
+  struct ElementsAlong {
+    Stencil<Pack, K> stencil;
+    Rest<Pack> rest;
+
+    [[gnu::always_inline]] ElementsAlong(const Rest<Pack>* rests, std::span<const Vector3<Pack>> x,
+                                         int lane, int first, int end) {
+      for (int l = 0; l < lane_count; ++l) {
+        const int i = std::min(first + l, end - 1);
+        for (int n = 0; n < K; ++n) {
+          stencil[n].x[l] = x[i + n].x[lane];
+          stencil[n].y[l] = x[i + n].y[lane];
+          stencil[n].z[l] = x[i + n].z[lane];
+        }
+        Lanes::set(rest, l, Lanes::get(rests[i], lane));
+      }
+    }
+  };
+  [[gnu::flatten]] double add_values_along(const StrandGroup& group,
+                                           std::span<const Vector3<Pack>> x) const {
+    const int end = static_cast<int>(x.size()) - K + 1;
+    double energy = 0;
+    for (int lane = 0; lane < lane_count; ++lane) {
+      if (group.strands[lane] < 0) continue;
+      for (int first = 0; first < end; first += lane_count) {
+        const ElementsAlong elements(&rest_[group.first_row], x, lane, first, end);
+        const Pack energies = kernel().value(elements.stencil, elements.rest);
+        for (int l = 0; l < std::min(end - first, lane_count); ++l) energy += energies[l];
+      }
+    }
+    return energy;
+  }
+  template <Filter filter>
+  [[gnu::flatten]] double add_derivatives_along(const StrandGroup& group,
+                                                std::span<const Vector3<Pack>> x,
+                                                EdgeOutputs outputs) const {
+    const int end = static_cast<int>(x.size()) - K + 1;
+    double energy = 0;
+    for (int lane = 0; lane < lane_count; ++lane) {
+      if (group.strands[lane] < 0) continue;
+      for (int first = 0; first < end; first += lane_count) {
+        const ElementsAlong elements(&rest_[group.first_row], x, lane, first, end);
+        Derivatives<Pack, K> derivatives;
+        const Pack energies = element_.template evaluate_kernel<filter>(
+            elements.stencil, elements.rest, derivatives.outputs());
+        for (int l = 0; l < std::min(end - first, lane_count); ++l) {
+          energy += energies[l];
+          scatter_lane(derivatives, l, first + l, lane, outputs);
+        }
+      }
+    }
+    return energy;
   }
 
   // A kernel is made of small functions of wide vectors: a call left among them costs more than its
@@ -275,7 +339,7 @@ class BatchEnergy final : public Energy, public ElementFunction, public HoldingE
         for (int n = 0; n < K; ++n) stencil[n] = lane_of(x[i + n], lane);
         Derivatives<double, K> derivatives;
         energies[lane] += element_.evaluate(stencil, Lanes::get(rest[i], lane), derivatives);
-        scatter_lane(derivatives, i, lane, outputs);
+        scatter_lane(derivatives, 0, i, lane, outputs);
       }
     }
     double energy = 0;
@@ -283,9 +347,16 @@ class BatchEnergy final : public Energy, public ElementFunction, public HoldingE
     return energy;
   }
 
-  static void scatter_lane(const Derivatives<double, K>& derivatives, int i, int lane,
+  static double number_of(double number, int) { return number; }
+  static double number_of(const Pack& numbers, int lane) { return numbers[lane]; }
+
+  /// Adds the derivatives of one element, which a lane of packs holds, to a lane of the outputs.
+  template <class S>
+  static void scatter_lane(const Derivatives<S, K>& derivatives, int from, int i, int lane,
                            EdgeOutputs& outputs) {
-    const auto add_to = [lane](Pack& target, double value) { target[lane] = target[lane] + value; };
+    const auto add_to = [&](Pack& target, const S& value) {
+      target[lane] = target[lane] + number_of(value, from);
+    };
     if (!outputs.gradient.empty()) {
       for (int n = 0; n < K - 1; ++n) {
         add_to(outputs.gradient[i + n].x, derivatives.gradient[n].x);

@@ -5,7 +5,6 @@
 // contact) or fewer, and of the masses. For such a term A_e and the diagonal blocks D_e of it,
 // A_e <= 4 D_e. Hence no eigenvalue of D^-1 A exceeds 4, and the iteration converges for w < 1/2.
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/linear_solver.h"

@@ -5,7 +5,6 @@
 //     alpha = z^T A z / q^T D^-1 q      x += alpha p,  z -= alpha D^-1 q
 //     beta = z'^T A z' / z^T A z        p = z' + beta p,  q = A z' + beta q
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/linear_solver.h"
