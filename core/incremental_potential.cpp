@@ -13,7 +13,7 @@ namespace {
 
 /// So many rows of a group are completed and factored at a time, while they are in the nearest
 /// cache.
-constexpr int rows_at_a_time = 4;
+constexpr int rows_at_a_time = 8;
 
 std::string name_of(const Model& model, int vertex) {
   if (vertex < 0) return "a pad";
