@@ -8,15 +8,15 @@ using namespace ringlet;
 
 namespace {
 
-struct Sample {
+struct WithNumber {
   Varying number = 2.0;
-  static Schema<Sample> schema() {
-    return Schema<Sample>().key("number", &Sample::number, "N", at_least(0), "for tests");
+  static Schema<WithNumber> schema() {
+    return Schema<WithNumber>().key("number", &WithNumber::number, "N", at_least(0), "for tests");
   }
 };
 
 struct Reading {
-  Sample sample;
+  WithNumber sample;
   std::vector<Problem> problems;
 };
 
@@ -24,7 +24,7 @@ Reading read(const Json& number) {
   Registry registry;
   Reading result;
   ParseContext context{registry, "/", {}, result.problems};
-  Sample::schema().read({{"number", number}}, "/here", context, result.sample);
+  WithNumber::schema().read({{"number", number}}, "/here", context, result.sample);
   return result;
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("the numbers of a parameter may stand in a file") {
   const TemporaryFile file("txt", "# of two strands\n1.5, 2.5  # the second\n");
   const Json number{{"by_strand", file.path().string()}};
   CHECK(values(number) == std::vector<double>{1.5, 1.5, 2.5, 2.5, 2.5});
-  CHECK(Sample::schema().write(read(number).sample)["number"] == number);
+  CHECK(WithNumber::schema().write(read(number).sample)["number"] == number);
   const TemporaryFile wrong("txt", "1\n2 three\n"), negative("txt", "1 2\n-3");
   CHECK_THAT(problem({{"by_strand", wrong.path().string()}}),
              Catch::Contains("line 2: expected a number, found 'three'"));

@@ -10,9 +10,9 @@ using namespace ringlet::test;
 
 namespace {
 
-Points polyline(const std::vector<Eigen::Vector3d>& points) {
-  Points x(3, points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) x.col(i) = points[i];
+Points polyline(const std::vector<Eigen::Vector3d>& vertices) {
+  Points x(3, vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) x.col(i) = vertices[i];
   return x;
 }
 

@@ -6,16 +6,16 @@ using namespace ringlet::test;
 
 namespace {
 
-const std::vector<int> counts{5, 2, 9, 3, 4, 7, 2, 2, 6, 11};
-constexpr int vertices = 51;
+const std::vector<int> strand_lengths{5, 2, 9, 3, 4, 7, 2, 2, 6, 11};
+constexpr int all_vertices = 51;
 
 }  // namespace
 
 TEST_CASE("gradient and Hessian can be asked for one without the other") {
   std::mt19937_64 random(4);
-  const Points rest = random_points(random, vertices), x = random_points(random, vertices);
+  const Points rest = random_points(random, all_vertices), x = random_points(random, all_vertices);
   for (const std::string& name : elastic_names) {
-    const Strands strands(counts, columns(rest), plain_material());
+    const Strands strands(strand_lengths, columns(rest), plain_material());
     const StrandGroups groups(strands);
     const auto energy = make_energy(name);
     energy->bind(strands, groups);

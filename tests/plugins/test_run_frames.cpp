@@ -13,8 +13,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Three states of two strands, as a writer keeps them.
-struct Written {
-  explicit Written(Observer& writer)
+struct WrittenByEach {
+  explicit WrittenByEach(Observer& writer)
       : model(Strands({2, 3}, rest, Material{})),
         state{0, positions_with_pads(model.groups, rest), VertexField(model.groups)} {
     writer.begin(model, state, folder.path());
@@ -32,7 +32,7 @@ struct Written {
   State state;
 };
 
-void check_frames(const Written& run) {
+void check_frames(const WrittenByEach& run) {
   RunFrames frames(run.folder.path());
   CHECK(frames.vertex_counts() == std::vector<int>{2, 3});
   REQUIRE(frames.radii().size() == 5);
@@ -51,14 +51,14 @@ void check_frames(const Written& run) {
 
 TEST_CASE("frames of a run are read, whichever writer wrote them") {
   FramesWriter frames{FramesParameters{}};
-  check_frames(Written(frames));
+  check_frames(WrittenByEach(frames));
   VtpWriter vtp{VtpParameters{}};
-  check_frames(Written(vtp));
+  check_frames(WrittenByEach(vtp));
 }
 
 TEST_CASE("what a run that was killed left of its last frame is left out, and told") {
   VtpWriter writer{VtpParameters{}};
-  const Written run(writer);
+  const WrittenByEach run(writer);
   fs::resize_file(run.folder.path() / "frames/frame_00002.vtp", 300);
   const RunFrames frames(run.folder.path());
   CHECK(frames.steps() == std::vector<int>{0, 1});

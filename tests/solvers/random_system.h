@@ -48,6 +48,9 @@ double relative_difference(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b)
 /// A solver as a scene would ask for it.
 std::unique_ptr<LinearSolver> make_solver(const Json& json);
 
+/// Of strands that fill more than one group, and not all of it.
+inline const std::vector<int> mixed_lengths{5, 9, 2, 14, 3, 4, 7, 8, 20, 6, 11};
+
 /// A solver prepared with a copy of a matrix, as a Newton iteration does.
 class Prepared {
  public:

@@ -9,8 +9,6 @@ using namespace ringlet;
 
 namespace {
 
-const std::vector<int> lengths{5, 9, 2, 14, 3, 4, 7, 8, 20, 6, 11};
-
 std::vector<Json> exact_solvers() {
   return {Json{{"type", "cholesky"}},
           Json{{"type", "jacobi"}, {"tolerance", 1e-10}, {"max_iterations", 100000}},
@@ -50,19 +48,19 @@ Matrix3<Pack>& last_diagonal_block(RandomSystem& system, int vertex) {
 }  // namespace
 
 TEST_CASE("every solver solves a system without couplings") {
-  const RandomSystem system(lengths, 0, 1);
+  const RandomSystem system(mixed_lengths, 0, 1);
   check_solution({{"type", "strand_cholesky"}}, system);
   for (const Json& json : exact_solvers()) check_solution(json, system);
 }
 
 TEST_CASE("every solver but strand_cholesky solves a system with couplings") {
   const unsigned seed = GENERATE(11u, 12u, 13u);
-  const RandomSystem system(lengths, 40, seed);
+  const RandomSystem system(mixed_lengths, 40, seed);
   for (const Json& json : exact_solvers()) check_solution(json, system);
 }
 
 TEST_CASE("conjugate gradients are as exact as their tolerance asks for") {
-  const RandomSystem system(lengths, 40, 14);
+  const RandomSystem system(mixed_lengths, 40, 14);
   const VertexField b = system.right_hand_side(7);
   const Eigen::Matrix3Xd expected = RandomSystem::dense_solution(system.dense, b);
   const auto energy_norm = [&](const Eigen::Matrix3Xd& x) {
@@ -80,7 +78,7 @@ TEST_CASE("conjugate gradients are as exact as their tolerance asks for") {
 }
 
 TEST_CASE("strand_cholesky says that it leaves couplings out, and solves with the bands") {
-  const RandomSystem system(lengths, 40, 2);
+  const RandomSystem system(mixed_lengths, 40, 2);
   const auto solver = make_solver("strand_cholesky");
   const VertexField b = system.right_hand_side(3);
   Prepared prepared(*solver, system.matrix, b);
@@ -98,7 +96,7 @@ TEST_CASE("strand_cholesky says that it leaves couplings out, and solves with th
 }
 
 TEST_CASE("an exact preconditioner needs one iteration, and a better one fewer than a worse") {
-  const RandomSystem system(lengths, 40, 4);
+  const RandomSystem system(mixed_lengths, 40, 4);
   const VertexField b = system.right_hand_side(5);
   const auto iterations = [&](const Json& preconditioner) {
     const auto solver = make_solver({{"type", "pcg"}, {"preconditioner", preconditioner}});
@@ -111,7 +109,7 @@ TEST_CASE("an exact preconditioner needs one iteration, and a better one fewer t
 }
 
 TEST_CASE("a right-hand side of zero has the solution zero") {
-  const RandomSystem system(lengths, 10, 6);
+  const RandomSystem system(mixed_lengths, 10, 6);
   std::vector<Json> all = exact_solvers();
   for (const Json& json : all) {
     INFO(json.dump());
@@ -129,7 +127,7 @@ TEST_CASE("a matrix that is not positive definite, or not finite, is refused") {
   const int vertex = GENERATE(0, 8, 30, 60, 88);
   const double pivot = GENERATE(-1e9, std::numeric_limits<double>::quiet_NaN(),
                                 std::numeric_limits<double>::infinity());
-  RandomSystem system(lengths, 5, 8);
+  RandomSystem system(mixed_lengths, 5, 8);
   REQUIRE(vertex < system.strands.vertex_count());
   last_diagonal_block(system, vertex)(2, 2)[system.groups.slot(vertex).lane] = pivot;
   for (const Json& json :
@@ -166,7 +164,7 @@ TEST_CASE("conjugate gradients notice an indefinite matrix and stay finite") {
 }
 
 TEST_CASE("an iteration cap that is hit is reported") {
-  const RandomSystem system(lengths, 40, 10);
+  const RandomSystem system(mixed_lengths, 40, 10);
   for (const Json& json : {Json{{"type", "pcg"}, {"max_iterations", 3}},
                            Json{{"type", "jacobi"}, {"max_iterations", 3}}}) {
     INFO(json.dump());
@@ -183,7 +181,7 @@ TEST_CASE("an iteration cap that is hit is reported") {
 }
 
 TEST_CASE("a Jacobi iteration that diverges stops before it grows") {
-  const RandomSystem system(lengths, 40, 10);
+  const RandomSystem system(mixed_lengths, 40, 10);
   const auto solver = make_solver({{"type", "jacobi"}, {"weight", 1.5}});
   Prepared prepared(*solver, system.matrix, system.right_hand_side(1));
   REQUIRE(prepared.accepted());
@@ -195,7 +193,8 @@ TEST_CASE("a Jacobi iteration that diverges stops before it grows") {
 }
 
 TEST_CASE("a solver may be used for one matrix after another") {
-  const RandomSystem loose(lengths, 0, 20), tied(lengths, 40, 20), tied_otherwise(lengths, 40, 21);
+  const RandomSystem loose(mixed_lengths, 0, 20), tied(mixed_lengths, 40, 20),
+      tied_otherwise(mixed_lengths, 40, 21);
   for (const Json& json : exact_solvers()) {
     INFO(json.dump());
     const auto solver = make_solver(json);
@@ -223,7 +222,7 @@ TEST_CASE("strands that nothing couples are solved without iterations, beside th
 }
 
 TEST_CASE("auto tells what it chose, and why") {
-  const RandomSystem loose(lengths, 0, 20), tied(lengths, 40, 20);
+  const RandomSystem loose(mixed_lengths, 0, 20), tied(mixed_lengths, 40, 20);
   const auto solver = make_solver("auto");
   CHECK(solver->account().empty());
   for (const RandomSystem* system : {&loose, &tied, &tied}) {

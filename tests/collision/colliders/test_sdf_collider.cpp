@@ -51,8 +51,8 @@ std::unique_ptr<Collider> make_sdf(const TemporaryFile& mesh, bool cache = false
   return make_plugin<Collider>(json);
 }
 
-std::vector<std::optional<Proximity>> near(const Collider& collider, const Points& points,
-                                           double reach) {
+std::vector<std::optional<Proximity>> all_near(const Collider& collider, const Points& points,
+                                               double reach) {
   std::vector<std::optional<Proximity>> found(points.size());
   collider.near(points, reach, found);
   return found;
@@ -70,7 +70,8 @@ std::pair<double, double> errors(const std::string& obj, double reach) {
   const TemporaryFile mesh("obj", obj);
   const auto exact = make_plugin<Collider>(description("mesh", mesh));
   const Points points = random_points(3000);
-  const auto expected = near(*exact, points, reach), found = near(*make_sdf(mesh), points, reach);
+  const auto expected = all_near(*exact, points, reach),
+             found = all_near(*make_sdf(mesh), points, reach);
   double distance = 0, angle = 0;
   int count = 0;
   for (std::size_t n = 0; n < points.size(); ++n) {
@@ -113,8 +114,8 @@ TEST_CASE("sdf: what is near the mesh is found, what is not is not") {
   const auto exact = make_plugin<Collider>(description("mesh", mesh)), sdf = make_sdf(mesh);
   const Points points = random_points(3000);
   constexpr double reach = 0.06, error = 0.0175;
-  const auto found = near(*sdf, points, reach);
-  const auto all = near(*exact, points, 1);
+  const auto found = all_near(*sdf, points, reach);
+  const auto all = all_near(*exact, points, 1);
   int inside = 0, outside = 0;
   for (std::size_t n = 0; n < points.size(); ++n) {
     const bool is_known = all[n].has_value();  // less than 0.1 deep inside
@@ -132,7 +133,7 @@ TEST_CASE("sdf: further away than the grid reaches the mesh is asked") {
   const TemporaryFile mesh("obj", ball(3));
   const auto exact = make_plugin<Collider>(description("mesh", mesh)), sdf = make_sdf(mesh);
   const Points points = random_points(300);
-  const auto expected = near(*exact, points, 0.3), found = near(*sdf, points, 0.3);
+  const auto expected = all_near(*exact, points, 0.3), found = all_near(*sdf, points, 0.3);
   for (std::size_t n = 0; n < points.size(); ++n) {
     REQUIRE(found[n].has_value() == expected[n].has_value());
     if (expected[n]) CHECK(found[n]->distance == expected[n]->distance);
@@ -142,7 +143,7 @@ TEST_CASE("sdf: further away than the grid reaches the mesh is asked") {
 TEST_CASE("sdf: a point that is not finite is near nothing") {
   const TemporaryFile mesh("obj", ball(1));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto found = near(*make_sdf(mesh), {{nan, 0, 0}, {0, 1e300, 0}}, 0.05);
+  const auto found = all_near(*make_sdf(mesh), {{nan, 0, 0}, {0, 1e300, 0}}, 0.05);
   CHECK_FALSE(found[0].has_value());
   CHECK_FALSE(found[1].has_value());
 }
@@ -153,11 +154,11 @@ TEST_CASE("sdf: a grid on disk is used, and made anew if damaged or outdated") {
   make_sdf(mesh);
   CHECK_FALSE(std::filesystem::exists(cache.path));  // nothing is written unless asked for
   const Points points = random_points(300);
-  const auto fresh = near(*make_sdf(mesh, true), points, 0.1);
+  const auto fresh = all_near(*make_sdf(mesh, true), points, 0.1);
   REQUIRE(std::filesystem::exists(cache.path));
   const std::string intact = bytes_of(cache.path);
   const auto check_same = [&] {
-    const auto found = near(*make_sdf(mesh, true), points, 0.1);
+    const auto found = all_near(*make_sdf(mesh, true), points, 0.1);
     for (std::size_t n = 0; n < points.size(); ++n) {
       REQUIRE(found[n].has_value() == fresh[n].has_value());
       if (fresh[n]) CHECK(found[n]->distance == fresh[n]->distance);

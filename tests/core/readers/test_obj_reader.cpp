@@ -4,7 +4,7 @@ using namespace ringlet;
 
 namespace {
 
-const std::string two_strands =
+const std::string two_polylines =
     "# two strands\n"
     "v 0 0 0\nv 1 0 0\nv 1.5e0 +0.5 -2\r\n"
     "l 1 2 3\n"
@@ -15,7 +15,7 @@ const std::string two_strands =
 }  // namespace
 
 TEST_CASE("polylines of an .obj file are read") {
-  std::string plain = two_strands;
+  std::string plain = two_polylines;
   const Polylines read = read_as("obj", plain);
   CHECK(read.vertex_counts == std::vector<int>{3, 2});
   REQUIRE(read.positions.size() == 5);
@@ -37,9 +37,9 @@ TEST_CASE("single edges that follow each other are one strand") {
 }
 
 TEST_CASE("damaged .obj files are read or refused, never crashed on") {
-  damage("obj", two_strands);
-  CHECK(contains(refusal("obj", two_strands.substr(0, 30)), "found none"));
-  CHECK(refusal("obj", two_strands.substr(0, two_strands.size() - 8)).empty());
+  damage("obj", two_polylines);
+  CHECK(contains(refusal("obj", two_polylines.substr(0, 30)), "found none"));
+  CHECK(refusal("obj", two_polylines.substr(0, two_polylines.size() - 8)).empty());
 }
 
 TEST_CASE("refusals of .obj files say what is wrong, and in which line") {

@@ -6,7 +6,7 @@ using namespace ringlet;
 
 namespace {
 
-constexpr double dt = 0.05;
+constexpr double whole_step = 0.05;
 
 /// Ten steps; the largest distance of a vertex to a far finer solution, and the substeps taken.
 struct Measured {
@@ -50,7 +50,7 @@ struct Fragile final : Integrator {
     }
   };
   explicit Fragile(const Parameters& given) : parameters(given) {}
-  double time_step() const override { return dt; }
+  double time_step() const override { return whole_step; }
   int order() const override { return 1; }
   void bind(const Model&) override {}
   StepReport step(Model& model, State& state, double step) override {
@@ -118,22 +118,22 @@ TEST_CASE("the smaller the tolerance, the smaller the error and the more the sub
 }
 
 TEST_CASE("where an integrator fails, the step is divided, and only what is kept counts") {
-  FragileRun run(0.3 * dt);
+  FragileRun run(0.3 * whole_step);
   const Eigen::Matrix3Xd start = run.state.positions.matrix();
-  const StepReport report = run.integrator->step(*run.model, run.state, dt);
+  const StepReport report = run.integrator->step(*run.model, run.state, whole_step);
   REQUIRE(report.failure.empty());
   CHECK(report.substeps == 8);
   CHECK(run.energy->begun == 8);
-  CHECK(run.state.time == dt);
-  const Eigen::Matrix3Xd moved = start + dt * run.state.velocities.matrix();
+  CHECK(run.state.time == whole_step);
+  const Eigen::Matrix3Xd moved = start + whole_step * run.state.velocities.matrix();
   CHECK((run.state.positions.matrix() - moved).norm() < 1e-12);
 }
 
 TEST_CASE(
     "where it fails at the smallest part as well, the report says so and nothing has changed") {
-  FragileRun run(0.01 * dt);
+  FragileRun run(0.01 * whole_step);
   const State before = run.state;
-  const StepReport report = run.integrator->step(*run.model, run.state, dt);
+  const StepReport report = run.integrator->step(*run.model, run.state, whole_step);
   CHECK(report.failure.find("it broke") != std::string::npos);
   CHECK(report.failure.find("smallest part") != std::string::npos);
   CHECK(run.state.time == before.time);
@@ -146,7 +146,7 @@ TEST_CASE("an error that even the smallest parts exceed is told") {
   const auto integrator =
       make_integrator({{"type", "adaptive"}, {"tolerance", 1e-9}, {"halvings", 1}}, *model);
   State state = thrown_state(*model);
-  const StepReport report = integrator->step(*model, state, dt);
+  const StepReport report = integrator->step(*model, state, whole_step);
   REQUIRE(report.failure.empty());
   CHECK_FALSE(report.local_error_met);
   CHECK(report.local_error > 1e-9);
@@ -158,9 +158,9 @@ TEST_CASE("a state is all that adaptive steps need to go on, to the bit") {
   const auto first = make_integrator("adaptive", *model),
              second = make_integrator("adaptive", *model);
   State state = thrown_state(*model);
-  for (int n = 0; n < 3; ++n) REQUIRE(first->step(*model, state, dt).failure.empty());
+  for (int n = 0; n < 3; ++n) REQUIRE(first->step(*model, state, whole_step).failure.empty());
   State copy = state;
-  REQUIRE(first->step(*model, state, dt).failure.empty());
-  REQUIRE(second->step(*model, copy, dt).failure.empty());
+  REQUIRE(first->step(*model, state, whole_step).failure.empty());
+  REQUIRE(second->step(*model, copy, whole_step).failure.empty());
   CHECK(state.positions.matrix() == copy.positions.matrix());
 }

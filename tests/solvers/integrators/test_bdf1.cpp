@@ -11,7 +11,7 @@ using namespace ringlet;
 namespace {
 
 const Eigen::Vector3d gravity(0.3, -0.2, -9.81);
-constexpr double dt = 1.0 / 30;
+constexpr double frame = 1.0 / 30;  // s
 
 const std::vector<int> lengths{4, 7, 3, 5, 6, 2, 8, 9, 5, 4};
 
@@ -41,20 +41,20 @@ TEST_CASE("free fall is that of implicit Euler, to rounding") {
   const auto model = make_model(lengths, false);
   add_energy(*model, std::make_unique<Springs>(5));
   add_force(*model, std::make_unique<Weight>(gravity));
-  const auto integrator = make_integrator({{"type", "bdf1"}, {"dt", dt}}, *model);
-  CHECK(integrator->time_step() == dt);
+  const auto integrator = make_integrator({{"type", "bdf1"}, {"dt", frame}}, *model);
+  CHECK(integrator->time_step() == frame);
   State state = rest_state(*model);
   const Eigen::Matrix3Xd start = state.positions.matrix();
   for (int n = 1; n <= 20; ++n) {
-    const StepReport report = integrator->step(*model, state, dt);
+    const StepReport report = integrator->step(*model, state, frame);
     REQUIRE(report.failure.empty());
     CHECK(report.newton_converged);
-    const Eigen::Vector3d fallen = 0.5 * n * (n + 1) * dt * dt * gravity;
+    const Eigen::Vector3d fallen = 0.5 * n * (n + 1) * frame * frame * gravity;
     CHECK((state.positions.matrix() - (start.colwise() + fallen)).cwiseAbs().maxCoeff() < 1e-12);
-    CHECK(state.velocities.get(3).isApprox(n * dt * gravity, 1e-12));
+    CHECK(state.velocities.get(3).isApprox(n * frame * gravity, 1e-12));
     CHECK(report.kinetic_energy ==
-          Approx(0.5 * total_mass(*model) * (n * dt * gravity).squaredNorm()));
-    CHECK(state.time == Approx(n * dt));
+          Approx(0.5 * total_mass(*model) * (n * frame * gravity).squaredNorm()));
+    CHECK(state.time == Approx(n * frame));
   }
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("internal energies keep the momentum, and damping only takes energy aw
   const double start_energy = kinetic_energy(*model, state.velocities);
   double energy = start_energy;
   for (int n = 0; n < 30; ++n) {
-    const StepReport report = integrator->step(*model, state, dt);
+    const StepReport report = integrator->step(*model, state, frame);
     REQUIRE(report.failure.empty());
     CHECK((momentum(*model, state) - start).norm() < 1e-10 * start.norm());
     // But for what the Newton tolerance leaves open.
@@ -86,7 +86,7 @@ TEST_CASE("a hanging strand ends in equilibrium; its pin stays exactly where it 
   add_force(*model, std::make_unique<Weight>(gravity));
   const auto integrator = make_integrator("bdf1", *model);
   State state = rest_state(*model);
-  for (int n = 0; n < 200; ++n) REQUIRE(integrator->step(*model, state, dt).failure.empty());
+  for (int n = 0; n < 200; ++n) REQUIRE(integrator->step(*model, state, frame).failure.empty());
   for (const Pin& pin : model->pins) {
     CHECK(state.positions.get(pin.vertex) == model->strands.rest_position(pin.vertex));
     CHECK(state.velocities.get(pin.vertex).norm() == 0);
@@ -111,7 +111,7 @@ TEST_CASE("a failed step leaves the state as it was") {
   State state = rest_state(*model);
   shake(*model, state);
   const State before = state;
-  const StepReport report = integrator->step(*model, state, dt);
+  const StepReport report = integrator->step(*model, state, frame);
   CHECK_FALSE(report.failure.empty());
   CHECK(state.time == before.time);
   CHECK(state.positions.matrix() == before.positions.matrix());
@@ -127,7 +127,7 @@ TEST_CASE("the bits of a step do not depend on the number of threads") {
     const auto integrator = make_integrator("bdf1", *model);
     State state = rest_state(*model);
     shake(*model, state);
-    for (int n = 0; n < 5; ++n) integrator->step(*model, state, dt);
+    for (int n = 0; n < 5; ++n) integrator->step(*model, state, frame);
     return state.positions.matrix();
   };
   const Eigen::Matrix3Xd alone = run(1);

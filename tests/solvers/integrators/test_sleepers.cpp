@@ -7,7 +7,7 @@ using namespace ringlet;
 
 namespace {
 
-constexpr double dt = 0.05, speed = 1e-3;
+constexpr double step_length = 0.05, speed = 1e-3;
 
 /// Springs that remember whether derivatives were wanted.
 class Watched final : public Energy {
@@ -59,7 +59,7 @@ struct Swing {
   void go(int steps) {
     for (int n = 0; n < steps; ++n) {
       energy->is_wanted = false;
-      REQUIRE(integrator->step(*model, state, dt).failure.empty());
+      REQUIRE(integrator->step(*model, state, step_length).failure.empty());
     }
   }
   double distance_to(const Swing& other) const {
