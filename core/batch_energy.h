@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/counted.h"
+#include "core/elements_along.h"
 #include "core/energy.h"
 #include "core/kernel_derivatives.h"
 #include "core/parallel.h"
@@ -198,25 +199,6 @@ class BatchEnergy final : public Energy, public ElementFunction, public HoldingE
   /// instead.
   static constexpr int few_strands = lane_count / 4;
 
-  /// Elements first, first + 1, ... of the strand in a lane, one a lane; behind the last one, which
-  /// is before `end`, it follows again.
-  struct ElementsAlong {
-    Stencil<Pack, K> stencil;
-    Rest<Pack> rest;
-
-    [[gnu::always_inline]] ElementsAlong(const Rest<Pack>* rests, std::span<const Vector3<Pack>> x,
-                                         int lane, int first, int end) {
-      for (int l = 0; l < lane_count; ++l) {
-        const int i = std::min(first + l, end - 1);
-        for (int n = 0; n < K; ++n) {
-          stencil[n].x[l] = x[i + n].x[lane];
-          stencil[n].y[l] = x[i + n].y[lane];
-          stencil[n].z[l] = x[i + n].z[lane];
-        }
-        Lanes::set(rest, l, Lanes::get(rests[i], lane));
-      }
-    }
-  };
   [[gnu::flatten]] double add_values_along(const StrandGroup& group,
                                            std::span<const Vector3<Pack>> x) const {
     const int end = static_cast<int>(x.size()) - K + 1;
@@ -224,7 +206,7 @@ class BatchEnergy final : public Energy, public ElementFunction, public HoldingE
     for (int lane = 0; lane < lane_count; ++lane) {
       if (group.strands[lane] < 0) continue;
       for (int first = 0; first < end; first += lane_count) {
-        const ElementsAlong elements(&rest_[group.first_row], x, lane, first, end);
+        const ElementsAlong<Kernel> elements(&rest_[group.first_row], x, lane, first, end);
         const Pack energies = kernel().value(elements.stencil, elements.rest);
         for (int l = 0; l < std::min(end - first, lane_count); ++l) energy += energies[l];
       }
@@ -240,7 +222,7 @@ class BatchEnergy final : public Energy, public ElementFunction, public HoldingE
     for (int lane = 0; lane < lane_count; ++lane) {
       if (group.strands[lane] < 0) continue;
       for (int first = 0; first < end; first += lane_count) {
-        const ElementsAlong elements(&rest_[group.first_row], x, lane, first, end);
+        const ElementsAlong<Kernel> elements(&rest_[group.first_row], x, lane, first, end);
         Derivatives<Pack, K> derivatives;
         const Pack energies = element_.template evaluate_kernel<filter>(
             elements.stencil, elements.rest, derivatives.outputs());

@@ -11,7 +11,7 @@ void require_renderer() {
       "libembree-dev and libpng-dev, configure and build again");
 }
 
-Picture draw(const Subject&, const Camera&, const Eigen::Vector3d&, const RenderParameters&) {
+Picture draw(const DrawnScene&, const Camera&, const Eigen::Vector3d&, const RenderParameters&) {
   require_renderer();
   return {};
 }

@@ -61,7 +61,7 @@ class Painter {
 
 }  // namespace
 
-Picture draw(const Subject& subject, const Camera& camera, const Eigen::Vector3d& up,
+Picture draw(const DrawnScene& subject, const Camera& camera, const Eigen::Vector3d& up,
              const RenderParameters& parameters) {
   // What is far from the origin of the scene would be coarse in single precision.
   const Eigen::Vector3d origin = subject.strands.positions.cols() > 0

@@ -11,17 +11,17 @@
 namespace ringlet {
 
 /// What is to be seen.
-struct Subject {
+struct DrawnScene {
   StrandShapes strands;
-  std::vector<Shape> shapes;
+  std::vector<DrawnShape> shapes;
 };
 
 /// Throws Error if this build cannot draw, and says what it lacks.
 void require_renderer();
 
-/// Draws a subject by ray tracing; `up`, of length 1, points to the sky. The same input gives the
+/// Draws a scene by ray tracing; `up`, of length 1, points to the sky. The same input gives the
 /// same picture, to the bit, on any number of threads.
-Picture draw(const Subject& subject, const Camera& camera, const Eigen::Vector3d& up,
+Picture draw(const DrawnScene& subject, const Camera& camera, const Eigen::Vector3d& up,
              const RenderParameters& parameters);
 
 }  // namespace ringlet

@@ -29,7 +29,7 @@ class Bounds {
   }
 
   Camera camera() const { return framing_.camera(); }
-  std::vector<Shape> ground() const {
+  std::vector<DrawnShape> ground() const {
     if (has_plane_ || lowest_ == std::numeric_limits<double>::infinity()) return {};
     return {Plane{lowest_ * up_, up_}};
   }
@@ -100,9 +100,9 @@ double RunScenery::seconds_each() const {
   return span > 0 ? span / (count() - 1) : 1;
 }
 
-Subject RunScenery::subject(int i) {
-  Subject subject{{frames_.vertex_counts(), frames_.radii(), frames_.read(numbers_[i]).positions},
-                  ground_};
+DrawnScene RunScenery::subject(int i) {
+  DrawnScene subject{
+      {frames_.vertex_counts(), frames_.radii(), frames_.read(numbers_[i]).positions}, ground_};
   for (const MovingShape& moving : shapes_) {
     subject.shapes.push_back(moved(moving.shape, moving.placements[i]));
   }

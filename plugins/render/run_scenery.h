@@ -22,7 +22,7 @@ class RunScenery {
   /// From frame to frame, on average; of a single frame 1 s.
   double seconds_each() const;
   /// The i-th of the frames.
-  Subject subject(int i);
+  DrawnScene subject(int i);
   const Camera& camera() const { return camera_; }
   const Eigen::Vector3d& up() const { return up_; }
   /// What cannot be shown.
@@ -32,7 +32,7 @@ class RunScenery {
   void read_shapes(const Json& scene, const Registry& registry);
 
   struct MovingShape {
-    Shape shape;
+    DrawnShape shape;
     std::vector<Eigen::Isometry3d> placements;  // one a frame
   };
   RunFrames& frames_;
@@ -41,7 +41,7 @@ class RunScenery {
   std::vector<MovingShape> shapes_;
   Eigen::Vector3d up_;
   Camera camera_;
-  std::vector<Shape> ground_;  // or nothing
+  std::vector<DrawnShape> ground_;  // or nothing
   std::vector<std::string> notes_;
 };
 

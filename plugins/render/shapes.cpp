@@ -34,14 +34,16 @@ Triangles mesh(const std::string& path) {
 struct Mover {
   const Eigen::Isometry3d& placement;
 
-  Shape operator()(const Ball& ball) const { return Ball{placement * ball.centre, ball.radius}; }
-  Shape operator()(const Capsule& capsule) const {
+  DrawnShape operator()(const Ball& ball) const {
+    return Ball{placement * ball.centre, ball.radius};
+  }
+  DrawnShape operator()(const Capsule& capsule) const {
     return Capsule{placement * capsule.from, placement * capsule.to, capsule.radius};
   }
-  Shape operator()(const Plane& plane) const {
+  DrawnShape operator()(const Plane& plane) const {
     return Plane{placement * plane.point, placement.linear() * plane.normal};
   }
-  Shape operator()(const Triangles& triangles) const {
+  DrawnShape operator()(const Triangles& triangles) const {
     Triangles moved_triangles = triangles;
     for (Eigen::Vector3d& vertex : moved_triangles.vertices) vertex = placement * vertex;
     return moved_triangles;
@@ -50,7 +52,7 @@ struct Mover {
 
 }  // namespace
 
-Shape shape_of(const PlacedCollider& collider) {
+DrawnShape shape_of(const PlacedCollider& collider) {
   const Json& entry = collider.parameters;
   if (collider.type == "sphere") return Ball{vector_of(entry.at("centre")), entry.at("radius")};
   if (collider.type == "capsule") {
@@ -65,7 +67,7 @@ Shape shape_of(const PlacedCollider& collider) {
   throw Error("there is no picture of such a shape");
 }
 
-Shape moved(const Shape& shape, const Eigen::Isometry3d& placement) {
+DrawnShape moved(const DrawnShape& shape, const Eigen::Isometry3d& placement) {
   return std::visit(Mover{placement}, shape);
 }
 

@@ -27,11 +27,11 @@ struct Triangles {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<int, 3>> corners;
 };
-using Shape = std::variant<Ball, Capsule, Plane, Triangles>;
+using DrawnShape = std::variant<Ball, Capsule, Plane, Triangles>;
 
 /// The shape of a collider where no motion has moved it. Throws Error for a kind that cannot be
 /// drawn, or a mesh that cannot be read.
-Shape shape_of(const PlacedCollider& collider);
-Shape moved(const Shape& shape, const Eigen::Isometry3d& placement);
+DrawnShape shape_of(const PlacedCollider& collider);
+DrawnShape moved(const DrawnShape& shape, const Eigen::Isometry3d& placement);
 
 }  // namespace ringlet

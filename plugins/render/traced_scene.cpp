@@ -42,7 +42,7 @@ RTCRay to_embree(const Ray& ray) {
 }  // namespace
 
 TracedScene::TracedScene(Curves curves, Bundles bundles, float transmitted,
-                         const std::vector<Shape>& shapes, const Eigen::Vector3d& origin)
+                         const std::vector<DrawnShape>& shapes, const Eigen::Vector3d& origin)
     : origin_(origin),
       curves_(std::move(curves)),
       bundles_(std::move(bundles), transmitted),
@@ -51,7 +51,7 @@ TracedScene::TracedScene(Curves curves, Bundles bundles, float transmitted,
   if (scene_ == nullptr) throw Error("Embree cannot be used on this machine");
   if (!curves_.segments.empty()) add_curves();
   if (!bundles_.is_empty()) bundles_id_ = attach(bundles_.make(device_));
-  for (const Shape& shape : shapes) {
+  for (const DrawnShape& shape : shapes) {
     std::visit([this](const auto& one) { add(one); }, shape);
   }
   rtcCommitScene(scene_);

@@ -34,8 +34,8 @@ class TracedScene {
  public:
   /// `transmitted` is the part of light that goes straight through a hair of a bundle. Throws
   /// std::bad_alloc if the memory does not suffice.
-  TracedScene(Curves curves, Bundles bundles, float transmitted, const std::vector<Shape>& shapes,
-              const Eigen::Vector3d& origin);
+  TracedScene(Curves curves, Bundles bundles, float transmitted,
+              const std::vector<DrawnShape>& shapes, const Eigen::Vector3d& origin);
   ~TracedScene();
   TracedScene(const TracedScene&) = delete;
   TracedScene& operator=(const TracedScene&) = delete;

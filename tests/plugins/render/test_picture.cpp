@@ -19,8 +19,8 @@ RenderParameters small_picture() {
 }
 
 /// A thick hair that stands in the middle of the picture, 20 cm high.
-Subject upright_hair() {
-  Subject subject;
+DrawnScene upright_hair() {
+  DrawnScene subject;
   subject.strands.vertex_counts = {5};
   subject.strands.radii.assign(5, 0.01);
   subject.strands.positions.resize(3, 5);
@@ -59,7 +59,7 @@ TEST_CASE("a strand is seen where it is, and the background elsewhere") {
 }
 
 TEST_CASE("the ground looks like the background, but for shadows") {
-  Subject subject = upright_hair();
+  DrawnScene subject = upright_hair();
   subject.shapes.push_back(Plane{{0, -0.05, 0}, Vector3d::UnitY()});
   subject.shapes.push_back(Ball{{0.1, 0.1, -0.1}, 0.03});
   RenderParameters parameters = small_picture();
@@ -75,11 +75,11 @@ TEST_CASE("the ground looks like the background, but for shadows") {
 }
 
 TEST_CASE("colliders of every kind are seen") {
-  const std::vector<Shape> shapes{
+  const std::vector<DrawnShape> shapes{
       Ball{{0, 0.1, 0}, 0.03}, Capsule{{-0.1, 0.1, 0}, {0.1, 0.1, 0}, 0.03},
       Triangles{{{-0.1, 0.05, 0}, {0.1, 0.05, 0}, {0, 0.2, 0}}, {{0, 1, 2}}}};
-  for (const Shape& shape : shapes) {
-    Subject subject;
+  for (const DrawnShape& shape : shapes) {
+    DrawnScene subject;
     subject.shapes = {shape};
     const Picture picture = draw(subject, in_front, Vector3d::UnitY(), small_picture());
     const auto seen = in_front.project({0, 0.1, 0});
@@ -90,7 +90,7 @@ TEST_CASE("colliders of every kind are seen") {
 }
 
 TEST_CASE("a picture is the same on any number of threads, and far from the origin") {
-  Subject subject{curls(4, 40), {Ball{{0.05, -0.02, 0}, 0.02}}};
+  DrawnScene subject{curls(4, 40), {Ball{{0.05, -0.02, 0}, 0.02}}};
   RenderParameters parameters = small_picture();
   const Camera camera({0.05, 0.05, 0.3}, {0.05, 0.01, 0}, Vector3d::UnitY(), 0.5, 64, 48);
   for (const int children : {0, 50}) {
@@ -106,7 +106,7 @@ TEST_CASE("a picture is the same on any number of threads, and far from the orig
           pictures[0].bytes.end());
   }
   const Vector3d away(1e6, 0, 0);
-  Subject far = upright_hair();
+  DrawnScene far = upright_hair();
   far.strands.positions.colwise() += away;
   const Camera there(Vector3d(0, 0.12, 0.5) + away, Vector3d(0, 0.1, 0) + away, Vector3d::UnitY(),
                      0.5, 64, 48);
