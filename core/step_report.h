@@ -27,6 +27,8 @@ struct StageSeconds {
 
 /// What an integrator says about one step.
 struct StepReport {
+  /// Of strands that are solved separately, the most of any group; so are newton_update and
+  /// line_search_halvings.
   int newton_iterations = 0;
   bool newton_converged = true;  ///< false: the iteration cap was hit first
   double newton_update = 0;      ///< largest vertex displacement of the last Newton update, m
