@@ -199,6 +199,8 @@ class BatchEnergy final : public Energy, public ElementFunction, public HoldingE
   /// instead.
   static constexpr int few_strands = lane_count / 4;
 
+  // The loops over them stand here twice: handed to one function as a lambda, a kernel is not
+  // flattened, and takes longer.
   [[gnu::flatten]] double add_values_along(const StrandGroup& group,
                                            std::span<const Vector3<Pack>> x) const {
     const int end = static_cast<int>(x.size()) - K + 1;
