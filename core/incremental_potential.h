@@ -75,6 +75,7 @@ class IncrementalPotential {
     double squared_gradient = 0;
     bool usable = false;
   };
+  /// Finds terms_of(group) at x.
   void value_of_group(int group, ConstRows x);
   /// As assemble(), with the matrix's temporary bands for a solver with a band factor.
   GroupAssembled assemble_group(int group, const GroupRows& rows, SystemMatrix& matrix,

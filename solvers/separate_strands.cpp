@@ -122,10 +122,12 @@ SeparateStrands::Solved SeparateStrands::minimise_group(const NewtonParameters& 
                                                         const NewtonStep& step, int group,
                                                         VertexField& x) {
   Solved solved;
-  const StageTimer timer(solved.seconds);
-  Problem problem(step, group, x.group(group), trials_.local(), solved.line_search_seconds);
-  solved.outcome = iterate_newton(parameters, step.dt, problem);
-  problem.finish(parameters.line_search);
+  {
+    const StageTimer timer(solved.seconds);
+    Problem problem(step, group, x.group(group), trials_.local(), solved.line_search_seconds);
+    solved.outcome = iterate_newton(parameters, step.dt, problem);
+    problem.finish(parameters.line_search);
+  }
   return solved;
 }
 
@@ -138,15 +140,8 @@ NewtonOutcome SeparateStrands::minimise(const NewtonParameters& parameters, cons
                       [&](int g) { solved_[g] = minimise_group(parameters, step, g, x); });
     step.potential.sum_terms(terms_);
   }
-  NewtonOutcome all{.converged = true};
   double seconds = 0, line_search_seconds = 0;
   for (const Solved& solved : solved_) {
-    const NewtonOutcome& one = solved.outcome;
-    if (one.failure != NewtonOutcome::Failure::none) return one;
-    all.iterations = std::max(all.iterations, one.iterations);
-    all.halvings = std::max(all.halvings, one.halvings);
-    all.update = std::max(all.update, one.update);
-    all.converged &= one.converged;
     seconds += solved.seconds;
     line_search_seconds += solved.line_search_seconds;
   }
@@ -154,6 +149,19 @@ NewtonOutcome SeparateStrands::minimise(const NewtonParameters& parameters, cons
   const double in_line_search = seconds > 0 ? wall_seconds * line_search_seconds / seconds : 0;
   step.report.seconds.line_search += in_line_search;
   step.report.seconds.evaluate += wall_seconds - in_line_search;
+  return outcome_of_all();
+}
+
+NewtonOutcome SeparateStrands::outcome_of_all() const {
+  NewtonOutcome all{.converged = true};
+  for (const Solved& solved : solved_) {
+    const NewtonOutcome& one = solved.outcome;
+    if (one.failure != NewtonOutcome::Failure::none) return one;
+    all.iterations = std::max(all.iterations, one.iterations);
+    all.halvings = std::max(all.halvings, one.halvings);
+    all.update = std::max(all.update, one.update);
+    all.converged &= one.converged;
+  }
   return all;
 }
 

@@ -42,6 +42,7 @@ class SeparateStrands {
   };
   Solved minimise_group(const NewtonParameters& parameters, const NewtonStep& step, int group,
                         VertexField& x);
+  NewtonOutcome outcome_of_all() const;
 
   tbb::enumerable_thread_specific<Trials> trials_;
   std::vector<Solved> solved_;  ///< each group
