@@ -2,6 +2,8 @@
 
 #include <type_traits>
 
+#include "core/unrolled.h"
+
 namespace ringlet {
 namespace {
 
@@ -22,23 +24,23 @@ inline void with_left_blocks(int i, const Body& body) {
 
 /// s -= a b^T.
 inline void subtract_product(Matrix3<Pack>& s, const Matrix3<Pack>& a, const Matrix3<Pack>& b) {
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) {
-      for (int m = 0; m < 3; ++m) s(r, c) -= a(r, m) * b(c, m);
-    }
-  }
+  unrolled<3>([&](auto r) {
+    unrolled<3>([&](auto m) {
+      unrolled<3>([&](auto c) { s(r, c) -= a(r, m) * b(c, m); });
+    });
+  });
 }
 
 /// s -= a a^T, lower triangles only.
 inline void subtract_square(std::array<Pack, 6>& s, const Matrix3<Pack>& a) {
-  for (int m = 0; m < 3; ++m) {
+  unrolled<3>([&](auto m) {
     s[0] -= a(0, m) * a(0, m);
     s[1] -= a(1, m) * a(0, m);
     s[2] -= a(1, m) * a(1, m);
     s[3] -= a(2, m) * a(0, m);
     s[4] -= a(2, m) * a(1, m);
     s[5] -= a(2, m) * a(2, m);
-  }
+  });
 }
 
 /// A row of blocks, of A or of the factor in its place: row[k] stands at (i, i - k).
@@ -74,13 +76,14 @@ inline Matrix3<Pack> left_block(const FactorRow<Stored>& row, int k) {
 /// One row of the factor, of which the rows before are known, in the place of that row of A.
 template <int left>
 inline void factor_row(Row row, Mask& bad) {
-  for (int k = left; k >= 1; --k) {
+  unrolled<left>([&](auto n) {
+    constexpr int k = left - n;
     Matrix3<Pack> s = row[k];
-    for (int m = k + 1; m <= left; ++m) subtract_product(s, row[m], above(row, k)[m - k]);
+    unrolled<n>([&](auto m) { subtract_product(s, row[k + 1 + m], above(row, k)[1 + m]); });
     row[k] = times_transposed(s, inverse_diagonal(above(row, k)));
-  }
+  });
   std::array<Pack, 6> s = lower_triangle(row[0]);
-  for (int k = left; k >= 1; --k) subtract_square(s, row[k]);
+  unrolled<left>([&](auto n) { subtract_square(s, row[left - n]); });
   const InverseTriangle inverse = inverse_cholesky(s, bad);
   for (int n = 0; n < 6; ++n) row[0].m[n] = inverse.t[n];
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 
+#include "core/unrolled.h"
 #include "core/vector3.h"
 
 namespace ringlet {
@@ -53,11 +54,11 @@ inline Vector3<Pack> transpose_multiply(const InverseTriangle& a, const Vector3<
 inline Matrix3<Pack> times_transposed(const Matrix3<Pack>& a, const InverseTriangle& triangle) {
   const auto& t = triangle.t;
   Matrix3<Pack> product;
-  for (int r = 0; r < 3; ++r) {
+  unrolled<3>([&](auto r) {
     product(r, 0) = a(r, 0) * t[0];
     product(r, 1) = a(r, 0) * t[1] + a(r, 1) * t[2];
     product(r, 2) = a(r, 0) * t[3] + a(r, 1) * t[4] + a(r, 2) * t[5];
-  }
+  });
   return product;
 }
 
