@@ -169,9 +169,11 @@ void IncrementalPotential::value_of_group(int group, ConstRows x) {
   add_forces(group, x, {}, of_group, [](const Force&) { return true; });
 }
 
-std::span<const Pack> IncrementalPotential::free_of(int group) const {
-  const StrandGroup& rows = model_.groups[group];
-  return std::span(model_.free).subspan(rows.first_row, rows.vertices);
+PinnedRows IncrementalPotential::pinned_rows(int group) const {
+  const auto rows_of = [&](const auto& all) {
+    return std::span(all).subspan(model_.groups[group].first_row, model_.groups[group].vertices);
+  };
+  return {rows_of(model_.free), rows_of(model_.has_pins)};
 }
 
 void IncrementalPotential::value(const VertexField& x, PotentialTerms& terms) {
@@ -221,7 +223,7 @@ IncrementalPotential::GroupAssembled IncrementalPotential::assemble_group(int gr
   std::fill(gradient.begin(), gradient.end(), Vector3<Pack>{0, 0, 0});
   const bool keep_bands = solver.band_factor() == nullptr;
   GroupAssembled result{.usable = true};
-  if (!keep_bands && is_held(free_of(group))) {
+  if (!keep_bands && is_held(pinned_rows(group).free)) {
     value_of_group(group, x);
     std::fill(direction.begin(), direction.end(), Vector3<Pack>{0, 0, 0});
     return result;
@@ -278,10 +280,10 @@ double IncrementalPotential::write_rows(int group, RowRange range, const GroupRo
 void IncrementalPotential::prepare_rows(const GroupSystem& system, RowRange range,
                                         const GroupRows& rows, LinearSolver& solver,
                                         GroupAssembled& result) const {
-  const std::span free = free_of(system.group);
-  result.squared_gradient += pin_gradient(rows.gradient, range, free);
+  const PinnedRows pinned = pinned_rows(system.group);
+  result.squared_gradient += pin_gradient(rows.gradient, range, pinned.free);
   if (!result.usable) return;
-  pin_rows(system.bands, range, free);
+  pin_rows(system.bands, range, pinned);
   result.usable = naming(solver, sample_of(system.group),
                          [&] { return solver.prepare_rows(system, range, rows.direction); });
 }

@@ -93,7 +93,7 @@ class IncrementalPotential {
   template <class IsWanted>
   void add_forces(int group, ConstRows x, GroupOutputs outputs, std::span<double> terms,
                   const IsWanted& is_wanted) const;
-  std::span<const Pack> free_of(int group) const;
+  PinnedRows pinned_rows(int group) const;
   /// Of the calls for a group: the clock is looked at in some of them, since that takes as long as
   /// some elements.
   TimeSample sample_of(int group) const;

@@ -4,6 +4,31 @@
 
 namespace ringlet {
 
+Model::Model(Strands given, const std::vector<bool>& is_held)
+    : strands(std::move(given)), groups(strands, is_held), mass(groups.rows(), Pack(1)) {
+  for (int v = 0; v < strands.vertex_count(); ++v) {
+    const auto [row, lane] = groups.slot(v);
+    mass[row][lane] = strands.mass(v);
+  }
+  set_pins({}, {});
+}
+
+void Model::set_pins(std::span<const Pin> given, std::span<const Eigen::Vector3d> positions) {
+  pins.clear();
+  free.assign(groups.rows(), Pack(0));
+  has_pins.assign(groups.rows(), false);
+  for (int v = 0; v < strands.vertex_count(); ++v) {
+    const auto [row, lane] = groups.slot(v);
+    free[row][lane] = 1;
+  }
+  for (const Pin& pin : given) {
+    pins.push_back({pin, positions[pin.vertex]});
+    const auto [row, lane] = groups.slot(pin.vertex);
+    free[row][lane] = 0;
+    has_pins[row] = true;
+  }
+}
+
 std::vector<std::string> energy_names(const Model& model) {
   std::vector<std::string> names;
   for (const auto& energy : model.energies) names.push_back(energy->name());

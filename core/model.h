@@ -30,12 +30,15 @@ struct RestReport {
   int without_rest = 0;     ///< elements that hold more than their shape can: at rest nowhere
 };
 
+struct PlacedPin : Pin {
+  Eigen::Vector3d start;  ///< its position at time 0, m
+};
+
 /// What is simulated: strands, the terms of their potential, and the stages that a step runs
 /// through. Not movable, since its parts refer to each other.
 struct Model {
   /// is_held: of each strand, whether it is not solved for since all of it is pinned.
-  explicit Model(Strands given, const std::vector<bool>& is_held = {})
-      : strands(std::move(given)), groups(strands, is_held) {}
+  explicit Model(Strands given, const std::vector<bool>& is_held = {});
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
@@ -49,10 +52,12 @@ struct Model {
   std::unique_ptr<LinearSolver> solver;
   std::vector<LeftOut> left_out;   ///< terms that vanish
   std::optional<RestReport> rest;  ///< of a scene that chooses a rest state
-  std::vector<Pin> pins;
-  VertexField pinned_from;  ///< positions of the pins at time 0
-  VertexScalars free;       ///< 1: free; 0: pinned, or a pad
-  VertexScalars mass;       ///< kg; 1 on pads
+  /// Pins vertices, and marks what is free; positions: of all vertices at time 0, m.
+  void set_pins(std::span<const Pin> given, std::span<const Eigen::Vector3d> positions);
+  std::vector<PlacedPin> pins;
+  VertexScalars free;          ///< 1: free; 0: pinned, or a pad
+  std::vector<char> has_pins;  ///< whether a row holds a pinned vertex
+  VertexScalars mass;          ///< kg; 1 on pads
 
   /// Whether anything may couple strands.
   bool may_couple() const { return collision != nullptr || !couplings.empty(); }

@@ -7,8 +7,8 @@ namespace ringlet {
 std::vector<ModuleCost> list_costs(const Simulation& simulation) {
   const Model& model = simulation.model();
   const std::size_t in_model = model.strands.bytes() + model.groups.bytes() + bytes_of(model.free) +
-                               bytes_of(model.mass) + bytes_of(model.pins) +
-                               model.pinned_from.bytes();
+                               bytes_of(model.has_pins) + bytes_of(model.mass) +
+                               bytes_of(model.pins);
   std::vector<ModuleCost> costs{{"strands", "", 0, in_model},
                                 {"state", "", 0, simulation.state().bytes()}};
   const auto add_all = [&](const auto& terms) {

@@ -46,20 +46,6 @@ std::vector<Pin> collect_pins(const Strands& strands, const StrandSet& set,
   return pins;
 }
 
-void mark_free_and_mass(Model& model) {
-  model.free.assign(model.groups.rows(), Pack(0));
-  model.mass.assign(model.groups.rows(), Pack(1));
-  for (int v = 0; v < model.strands.vertex_count(); ++v) {
-    const auto [row, lane] = model.groups.slot(v);
-    model.free[row][lane] = 1;
-    model.mass[row][lane] = model.strands.mass(v);
-  }
-  for (const Pin& pin : model.pins) {
-    const auto [row, lane] = model.groups.slot(pin.vertex);
-    model.free[row][lane] = 0;
-  }
-}
-
 /// Those that vanish are left out.
 template <class Interface>
 std::vector<std::unique_ptr<Interface>> make_terms(const std::vector<Choice<Interface>>& choices,
@@ -115,8 +101,7 @@ Simulation::Simulation(const Scene& scene) {
       return model.collision->pins(set.positions);
     });
   }
-  model.pins = collect_pins(model.strands, set, collider_pins);
-  mark_free_and_mass(model);
+  model.set_pins(collect_pins(model.strands, set, collider_pins), set.positions);
   if (model.collision) model.collision->set_free(model.free);
 
   model.energies = make_terms(scene.energies, model);
@@ -131,7 +116,6 @@ Simulation::Simulation(const Scene& scene) {
 
   state_.positions = positions_with_pads(model.groups, set.positions);
   state_.velocities = VertexField(model.groups);
-  model.pinned_from = state_.positions;
   integrator_ = scene.integrator.make();
   naming(*integrator_, [&] { integrator_->bind(model); });
 }
@@ -167,7 +151,7 @@ StepReport Simulation::step() {
 void place_pins(const Model& model, double time, VertexField& x) {
   std::map<std::string, Eigen::Isometry3d> since_start;
   auto moved = since_start.end();
-  for (const Pin& pin : model.pins) {
+  for (const PlacedPin& pin : model.pins) {
     // Most pins have the motion of the one before.
     if (moved == since_start.end() || moved->first != pin.motion) {
       moved = since_start.find(pin.motion);
@@ -178,7 +162,7 @@ void place_pins(const Model& model, double time, VertexField& x) {
                     .first;
       }
     }
-    x.set(pin.vertex, moved->second * model.pinned_from.get(pin.vertex));
+    x.set(pin.vertex, moved->second * pin.start);
   }
 }
 

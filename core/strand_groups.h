@@ -34,7 +34,7 @@ struct LaneSlot {
 /// members of a group are about equally long; those that are held come last, in groups of their
 /// own, which need not be solved. A row holds one vertex of each of them. Lanes without a strand
 /// and rows behind the tip of a shorter strand are pads: they carry a benign geometry, no
-/// stiffness, and identity in the system matrix.
+/// stiffness, and a multiple of the identity in the system matrix.
 class StrandGroups {
  public:
   /// is_held: of each strand, whether all of its vertices are pinned; empty: none is.

@@ -54,17 +54,22 @@ void multiply_group(const SystemMatrix& a, int group, const VertexField& x, Vert
   if (a.couples_strands()) a.couplings.add_product(group, x, y);
 }
 
-void pin_rows(GroupBands bands, RowRange rows, std::span<const Pack> free) {
+void pin_rows(GroupBands bands, RowRange rows, const PinnedRows& pinned) {
+  const auto& [free, has_pins] = pinned;
   // Most rows, and all that they couple to, are free.
   int last_pinned = -band_blocks;
   for (int i = std::max(rows.first - band_blocks + 1, 0); i < rows.end; ++i) {
-    if (any(free[i] != 1)) last_pinned = i;
-    if (i < rows.first || i - last_pinned >= band_blocks) continue;
-    for (int k = 0; k <= std::min(i, band_blocks - 1); ++k) {
-      const Pack both = free[i] * free[i - k];
-      bands.block(i, k) = both * bands.block(i, k);
+    if (has_pins[i]) last_pinned = i;
+    if (i < rows.first) continue;
+    if (i - last_pinned < band_blocks) {
+      for (int k = 0; k <= std::min(i, band_blocks - 1); ++k) {
+        const Pack both = free[i] * free[i - k];
+        bands.block(i, k) = both * bands.block(i, k);
+      }
     }
-    for (int c = 0; c < 3; ++c) bands.block(i, 0)(c, c) += 1 - free[i];
+    if (any(free[i] != 1)) {
+      for (int c = 0; c < 3; ++c) bands.block(i, 0)(c, c) += 1 - free[i];
+    }
   }
 }
 

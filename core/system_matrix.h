@@ -12,7 +12,7 @@
 namespace ringlet {
 
 /// The matrix of a Newton step: a block band a strand, plus blocks that couple strands. Symmetric;
-/// pinned vertices and pads are identity.
+/// pinned vertices are identity, pads a multiple of it.
 class SystemMatrix {
  public:
   explicit SystemMatrix(const StrandGroups& groups) : couplings(groups), groups_(&groups) {
@@ -59,8 +59,14 @@ void multiply(const SystemMatrix& a, const VertexField& x, VertexField& y);
 /// The rows of one group of that.
 void multiply_group(const SystemMatrix& a, int group, const VertexField& x, VertexField& y);
 
-/// Makes some rows, and all columns in them, of pinned vertices and pads those of the identity.
-/// free holds 1 for a free vertex of the group and 0 for a pinned one or a pad.
-void pin_rows(GroupBands bands, RowRange rows, std::span<const Pack> free);
+/// The rows of a group: 1 for a free vertex and 0 for a pinned one or a pad, and whether a row
+/// holds a pinned one.
+struct PinnedRows {
+  std::span<const Pack> free;
+  std::span<const char> has_pins;
+};
+/// Makes some rows, and all columns in them, of pinned vertices those of the identity, and adds it
+/// to those of pads, which have nothing off the diagonal.
+void pin_rows(GroupBands bands, RowRange rows, const PinnedRows& pinned);
 
 }  // namespace ringlet

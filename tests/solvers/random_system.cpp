@@ -184,9 +184,15 @@ void RandomSystem::add_tuple(Random& random) {
 }
 
 void RandomSystem::pin() {
+  std::vector<char> has_pins(groups.rows(), false);
+  for (int strand = 1; strand < strands.count(); strand += 2) {
+    has_pins[groups.slot(strands.first(strand)).row] = true;
+  }
   for (int g = 0; g < groups.count(); ++g) {
-    pin_rows(matrix.bands.group(g), {0, groups[g].vertices},
-             std::span(free).subspan(groups[g].first_row, groups[g].vertices));
+    const auto rows_of = [&](const auto& all) {
+      return std::span(all).subspan(groups[g].first_row, groups[g].vertices);
+    };
+    pin_rows(matrix.bands.group(g), {0, groups[g].vertices}, {rows_of(free), rows_of(has_pins)});
   }
   for (int strand = 1; strand < strands.count(); strand += 2) {
     pin_dense(dense, strands.first(strand));

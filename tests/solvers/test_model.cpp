@@ -66,18 +66,25 @@ double Springs::add(int group, std::span<const Vector3<Pack>> x, EdgeOutputs out
   return sum_lanes(energy);
 }
 
+namespace {
+
+std::vector<Eigen::Vector3d> rest_positions(const Model& model) {
+  std::vector<Eigen::Vector3d> positions;
+  for (int v = 0; v < model.strands.vertex_count(); ++v) {
+    positions.push_back(model.strands.rest_position(v));
+  }
+  return positions;
+}
+
+}  // namespace
+
 std::unique_ptr<Model> make_model(const std::vector<int>& vertex_counts, bool pin_roots) {
   auto model = std::make_unique<Model>(straight_strands(vertex_counts));
-  model->free.assign(model->groups.rows(), Pack(0));
-  model->mass.assign(model->groups.rows(), Pack(1));
-  for (int v = 0; v < model->strands.vertex_count(); ++v) {
-    const auto [row, lane] = model->groups.slot(v);
-    const bool pinned = pin_roots && v == model->strands.first(model->strands.strand_of(v));
-    model->free[row][lane] = pinned ? 0 : 1;
-    model->mass[row][lane] = model->strands.mass(v);
-    if (pinned) model->pins.push_back({v, ""});
+  std::vector<Pin> pins;
+  for (int strand = 0; pin_roots && strand < model->strands.count(); ++strand) {
+    pins.push_back({model->strands.first(strand), ""});
   }
-  model->pinned_from = rest_state(*model).positions;
+  model->set_pins(pins, rest_positions(*model));
   model->solver = make_solver("strand_cholesky");
   model->solver->bind(model->groups);
   return model;
@@ -96,11 +103,7 @@ void add_force(Model& model, std::unique_ptr<Force> force) {
 }
 
 State rest_state(const Model& model) {
-  std::vector<Eigen::Vector3d> positions;
-  for (int v = 0; v < model.strands.vertex_count(); ++v) {
-    positions.push_back(model.strands.rest_position(v));
-  }
-  return {0, positions_with_pads(model.groups, positions), VertexField(model.groups)};
+  return {0, positions_with_pads(model.groups, rest_positions(model)), VertexField(model.groups)};
 }
 
 std::unique_ptr<Integrator> make_integrator(const Registry& registry, const Json& json,
