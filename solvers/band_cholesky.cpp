@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-#include "core/unrolled.h"
+#include "solvers/unrolled.h"
 
 namespace ringlet {
 namespace {

@@ -3,8 +3,8 @@
 #include <array>
 #include <limits>
 
-#include "core/unrolled.h"
 #include "core/vector3.h"
+#include "solvers/unrolled.h"
 
 namespace ringlet {
 
