@@ -25,9 +25,7 @@ inline void with_left_blocks(int i, const Body& body) {
 /// s -= a b^T.
 inline void subtract_product(Matrix3<Pack>& s, const Matrix3<Pack>& a, const Matrix3<Pack>& b) {
   unrolled<3>([&](auto r) {
-    unrolled<3>([&](auto m) {
-      unrolled<3>([&](auto c) { s(r, c) -= a(r, m) * b(c, m); });
-    });
+    unrolled<3>([&](auto m) { unrolled<3>([&](auto c) { s(r, c) -= a(r, m) * b(c, m); }); });
   });
 }
 
