@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,9 @@ struct RestReport {
   int without_rest = 0;     ///< elements that hold more than their shape can: at rest nowhere
 };
 
+/// A pin, and where it starts.
 struct PlacedPin : Pin {
-  Eigen::Vector3d start;  ///< its position at time 0, m
+  Eigen::Vector3d start;  ///< position at time 0, m
 };
 
 /// What is simulated: strands, the terms of their potential, and the stages that a step runs
