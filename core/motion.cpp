@@ -19,4 +19,13 @@ Eigen::Isometry3d Motions::at(const std::string& name, double time) const {
   return placement;
 }
 
+const Eigen::Isometry3d& Displacements::by(const std::string& name) {
+  if (last_ != known_.end() && last_->first == name) return last_->second;
+  last_ = known_.find(name);
+  if (last_ == known_.end()) {
+    last_ = known_.emplace(name, motions_.at(name, to_) * motions_.at(name, from_).inverse()).first;
+  }
+  return last_->second;
+}
+
 }  // namespace ringlet

@@ -28,4 +28,24 @@ class Motions {
   std::map<std::string, std::vector<std::unique_ptr<Motion>>> parts_;
 };
 
+/// How far the motions of a scene take what follows them from one time to another.
+class Displacements {
+ public:
+  Displacements(const Motions& motions, double from, double to)
+      : motions_(motions), from_(from), to_(to) {}
+  Displacements(const Displacements&) = delete;
+  Displacements& operator=(const Displacements&) = delete;
+
+  /// By a motion of this name. The result stays where it is.
+  const Eigen::Isometry3d& by(const std::string& name);
+
+ private:
+  using Known = std::map<std::string, Eigen::Isometry3d>;
+
+  const Motions& motions_;
+  double from_, to_;
+  Known known_;
+  Known::iterator last_ = known_.end();  ///< asked for: most often it is asked for again
+};
+
 }  // namespace ringlet

@@ -149,20 +149,9 @@ StepReport Simulation::step() {
 }
 
 void place_pins(const Model& model, double time, VertexField& x) {
-  std::map<std::string, Eigen::Isometry3d> since_start;
-  auto moved = since_start.end();
+  Displacements since_start(model.motions, 0, time);
   for (const PlacedPin& pin : model.pins) {
-    // Most pins have the motion of the one before.
-    if (moved == since_start.end() || moved->first != pin.motion) {
-      moved = since_start.find(pin.motion);
-      if (moved == since_start.end()) {
-        moved = since_start
-                    .emplace(pin.motion, model.motions.at(pin.motion, time) *
-                                             model.motions.at(pin.motion, 0).inverse())
-                    .first;
-      }
-    }
-    x.set(pin.vertex, moved->second * pin.start);
+    x.set(pin.vertex, since_start.by(pin.motion) * pin.start);
   }
 }
 

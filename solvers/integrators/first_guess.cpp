@@ -1,7 +1,5 @@
 #include "solvers/integrators/first_guess.h"
 
-#include <map>
-#include <string>
 #include <vector>
 
 #include "core/parallel.h"
@@ -33,23 +31,12 @@ struct LaneMotion {
   }
 };
 
-/// By how much each motion that pins follow moves in a step.
-using Moved = std::map<std::string, Eigen::Isometry3d>;
-
 /// What each strand is carried by: the motion of the first of its pins that has one.
-std::vector<const Eigen::Isometry3d*> find_carriers(const Model& model, double time,
-                                                    double time_end, Moved& moved) {
+std::vector<const Eigen::Isometry3d*> find_carriers(const Model& model, Displacements& in_step) {
   std::vector<const Eigen::Isometry3d*> carriers(model.strands.count(), nullptr);
   for (const Pin& pin : model.pins) {
     const Eigen::Isometry3d*& carrier = carriers[model.strands.strand_of(pin.vertex)];
-    if (carrier != nullptr || pin.motion.empty()) continue;
-    auto found = moved.find(pin.motion);
-    if (found == moved.end()) {
-      const Eigen::Isometry3d begin = model.motions.at(pin.motion, time);
-      const Eigen::Isometry3d end = model.motions.at(pin.motion, time_end);
-      found = moved.emplace(pin.motion, end * begin.inverse()).first;
-    }
-    carrier = &found->second;
+    if (carrier == nullptr && !pin.motion.empty()) carrier = &in_step.by(pin.motion);
   }
   return carriers;
 }
@@ -58,8 +45,8 @@ std::vector<const Eigen::Isometry3d*> find_carriers(const Model& model, double t
 
 void carry_strands_with_pins(const Model& model, const VertexField& x_n, double time,
                              double time_end, VertexField& x) {
-  Moved moved;
-  const auto carriers = find_carriers(model, time, time_end, moved);
+  Displacements in_step(model.motions, time, time_end);
+  const auto carriers = find_carriers(model, in_step);
   parallel_for_each(model.groups.count(), [&](int g) {
     LaneMotion motion{Matrix3<Pack>::zero(), {0, 0, 0}};
     for (int lane = 0; lane < lane_count; ++lane) {
