@@ -132,3 +132,23 @@ TEST_CASE("bad parameters of motions are reported") {
   CHECK(read(R"({"type": "keyframes", "times": [0, 1], "rotations": [[0, 0, 0]]})")
             .has_one_problem("/rotations", "each of the 2 times"));
 }
+
+TEST_CASE("displacements are those between two times, whichever motion was asked for before") {
+  const char* sinusoid = R"({"type": "sinusoid", "frequency": 0.5, "angle": 1.2,
+      "axis": [0, 0, 3], "centre": [1, 0, 0]})";
+  const char* wave = R"({"type": "sinusoid", "frequency": 1, "translation": [0.1, 0, 0]})";
+  Motions motions;
+  for (const auto& [name, text] : {std::pair{"turn", sinusoid}, std::pair{"shift", wave}}) {
+    std::vector<std::unique_ptr<Motion>> parts;
+    parts.push_back(motion(text));
+    motions.add(name, std::move(parts));
+  }
+  Displacements displacements(motions, 0.2, 0.7);
+  const Eigen::Isometry3d& first = displacements.by("turn");
+  for (const char* name : {"turn", "turn", "shift", "turn", "", "shift"}) {
+    CHECK(near(displacements.by(name) * motions.at(name, 0.2), motions.at(name, 0.7)));
+    CHECK_THROWS_AS(displacements.by("unknown"), Error);
+  }
+  CHECK(&first == &displacements.by("turn"));
+  CHECK_FALSE(near(first, displacements.by("shift")));
+}
