@@ -1,26 +1,22 @@
 #include "core/model.h"
 
 #include "core/registry.h"
+#include "core/vertex_scalars.h"
 
 namespace ringlet {
 
 Model::Model(Strands given, const std::vector<bool>& is_held)
-    : strands(std::move(given)), groups(strands, is_held), mass(groups.rows(), Pack(1)) {
-  for (int v = 0; v < strands.vertex_count(); ++v) {
-    const auto [row, lane] = groups.slot(v);
-    mass[row][lane] = strands.mass(v);
-  }
+    : strands(std::move(given)),
+      groups(strands, is_held),
+      mass(vertex_scalars(
+          groups, [this](int vertex) { return strands.mass(vertex); }, 1)) {
   set_pins({}, {});
 }
 
 void Model::set_pins(std::span<const Pin> given, std::span<const Eigen::Vector3d> positions) {
   pins.clear();
-  free.assign(groups.rows(), Pack(0));
+  free = vertex_scalars(groups, [](int) { return 1.0; });
   has_pins.assign(groups.rows(), false);
-  for (int v = 0; v < strands.vertex_count(); ++v) {
-    const auto [row, lane] = groups.slot(v);
-    free[row][lane] = 1;
-  }
   for (const Pin& pin : given) {
     pins.push_back({pin, positions[pin.vertex]});
     const auto [row, lane] = groups.slot(pin.vertex);

@@ -4,7 +4,7 @@
 
 #include "core/force.h"
 #include "core/registry.h"
-#include "energies/vertex_scalars.h"
+#include "core/vertex_scalars.h"
 
 namespace ringlet {
 

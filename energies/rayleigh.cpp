@@ -6,7 +6,7 @@
 #include "core/force.h"
 #include "core/parallel.h"
 #include "core/registry.h"
-#include "energies/vertex_scalars.h"
+#include "core/vertex_scalars.h"
 
 namespace ringlet {
 

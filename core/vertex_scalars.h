@@ -4,10 +4,10 @@
 
 namespace ringlet {
 
-/// value(vertex) of every vertex in lane order; 0 on pads.
+/// value(vertex) of every vertex in lane order.
 template <class Value>
-VertexScalars vertex_scalars(const StrandGroups& groups, const Value& value) {
-  VertexScalars scalars(groups.rows(), Pack(0));
+VertexScalars vertex_scalars(const StrandGroups& groups, const Value& value, double on_pads = 0) {
+  VertexScalars scalars(groups.rows(), Pack(on_pads));
   for (int vertex = 0; vertex < groups.vertex_count(); ++vertex) {
     const auto [row, lane] = groups.slot(vertex);
     scalars[row][lane] = value(vertex);
