@@ -21,7 +21,11 @@ struct InverseTriangle {
 /// Eliminates without quotients (Bareiss, Math. Comp. 22, 1968): Schur complements are multiplied
 /// by the pivots before them instead of divided, so that no root waits for another,
 ///
-///     p = s00 s11 - s10^2,  q = s00 s21 - s20 s10,  r = s00 s22 - s20^2,  s00 det S = p r - q^2
+///     p = s00 s11 - s10^2,  q = s00 s21 - s20 s10,  r = s00 s22 - s20^2,  u = p r - q^2
+///
+///     T = (1                                  ) / sqrt(s00)
+///         (-s10               s00             ) / sqrt(s00 p)
+///         (q s10 - p s20     -q s00      p s00) / sqrt(s00 p u)
 ///
 /// and the relative errors are those of Cholesky's method all the same.
 [[gnu::always_inline]] inline InverseTriangle inverse_cholesky(const std::array<Pack, 6>& s,
@@ -36,12 +40,12 @@ struct InverseTriangle {
   const Pack r = s[0] * s[5] - s[3] * s[3];
   const Pack t00 = inverse_root(s[0]);
   const Pack inverse_root_p = inverse_root(p);
-  const Pack inverse_root_last = inverse_root(p * r - q * q);
-  const Pack product = t00 * inverse_root_p;
-  const Pack t11 = s[0] * product;
-  const Pack scale = t11 * inverse_root_last;
-  const Pack t20 = (q * s[1] - p * s[3]) * (product * inverse_root_last);
-  return {{t00, -s[1] * product, t11, t20, -q * scale, p * scale}};
+  const Pack inverse_root_u = inverse_root(p * r - q * q);
+  const Pack inverse_root_s_p = t00 * inverse_root_p;
+  const Pack t11 = s[0] * inverse_root_s_p;
+  const Pack t11_by_root_u = t11 * inverse_root_u;
+  const Pack t20 = (q * s[1] - p * s[3]) * (inverse_root_s_p * inverse_root_u);
+  return {{t00, -s[1] * inverse_root_s_p, t11, t20, -q * t11_by_root_u, p * t11_by_root_u}};
 }
 
 /// The lower triangle of a symmetric matrix.
